@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// pcl_attention_evaluate: score results against labelled scenes.
+#include "command_line.h"
+#include "evaluation/labelled_scene.h"
+#include "evaluation/metrics.h"
+#include "evaluation/report.h"
+#include "evaluation/results.h"
+
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <sstream>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+using namespace pcl_attention;
+
+namespace
+{
+
+/** \brief What is scored: anything that turns a scene into segments. */
+using Predictor = std::function<ScenePrediction (const LabelledScene& scene)>;
+
+/** \brief Results that someone has written before, in FOLDER/<stem of the scene>/. */
+Predictor
+storedResults (const std::string& folder)
+{
+  return ([folder] (const LabelledScene& scene) {
+    return (readResults ((fs::path (folder) / scene.name).string (), static_cast<int> (scene.cloud->width),
+                         static_cast<int> (scene.cloud->height)));
+  });
+}
+
+std::vector<GroundTruthKind>
+groundTruthKinds (const CommandLine& command_line)
+{
+  const std::string& name = command_line.get<std::string> ("ground_truth");
+  if (name == "objects")
+    return {GroundTruthKind::objects};
+  if (name == "parts")
+    return {GroundTruthKind::parts};
+  if (name != "both")
+    command_line.fail ("-ground_truth is objects, parts or both, not \"" + name + "\"");
+  return {GroundTruthKind::objects, GroundTruthKind::parts};
+}
+
+/** \brief Progress on stderr, for more than one scene: one line that is overwritten on a terminal, else a line a scene.
+ */
+class Progress
+{
+public:
+  explicit Progress (std::size_t total) : total_ (total), is_terminal_ (isatty (STDERR_FILENO) != 0) {}
+
+  ~Progress ()
+  {
+    if (is_open_)
+      std::cerr << std::endl;
+  }
+
+  void
+  show (std::size_t scene, const std::string& name)
+  {
+    if (total_ < 2)
+      return;
+    // "\033[K" clears what a longer name has left
+    std::cerr << (is_terminal_ ? "\r" : "") << "scene " << scene << "/" << total_ << " " << name
+              << (is_terminal_ ? "\033[K" : "\n") << std::flush;
+    is_open_ = is_terminal_;
+  }
+
+private:
+  std::size_t total_;
+  bool is_terminal_, is_open_ = false;
+};
+
+/** \brief Score all scenes, first on the first ground truth, then on the next. */
+std::vector<SceneScore>
+scoreScenes (const std::vector<std::string>& paths, const std::vector<GroundTruthKind>& kinds, const Predictor& predict)
+{
+  std::vector<SceneScore> scores;
+  Progress progress (paths.size ());
+  for (std::size_t i = 0; i < paths.size (); ++i)
+  {
+    progress.show (i + 1, fs::path (paths[i]).stem ().string ());
+    const LabelledScene scene = loadLabelledScene (paths[i]);
+    const ScenePrediction prediction = predict (scene);
+    for (const GroundTruthKind kind : kinds)
+    {
+      scores.push_back (scoreScene (makeGroundTruth (*scene.cloud, kind), prediction));
+      scores.back ().name = scene.name;
+      scores.back ().category = scene.category;
+    }
+  }
+  return (scores);
+}
+
+void
+report (const CommandLine& command_line, const std::vector<GroundTruthKind>& kinds,
+        const std::vector<SceneScore>& scores)
+{
+  std::vector<Summary> all;
+  for (const GroundTruthKind kind : kinds)
+  {
+    const std::vector<Summary> summaries = summarizeByCategory (kind, scores);
+    printTables (std::cout, summaries);
+    all.insert (all.end (), summaries.begin (), summaries.end ());
+  }
+  if (command_line.has ("csv"))
+  {
+    std::ostringstream stream;
+    writeObjectsCsv (stream, scores);
+    writeFile (command_line.get<std::string> ("csv"), stream.str ());
+  }
+  if (command_line.has ("summary_csv"))
+  {
+    std::ostringstream stream;
+    writeSummaryCsv (stream, all);
+    writeFile (command_line.get<std::string> ("summary_csv"), stream.str ());
+  }
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  namespace po = boost::program_options;
+  CommandLine command_line (
+      "pcl_attention_evaluate DATA... -results DIR [flags]",
+      "Scores results against labelled scenes. DATA: labelled PCD files, or folders with them (labels: 0 "
+      "invalid, 1-19 support,\n20.. parts of objects, label / 10 = object). Results are read from "
+      "DIR/<stem>/, in the layout that\npcl_attention_segment writes: attention_points.csv, mask_0001.png "
+      "..., optionally labels.pcd and segments.json.");
+  command_line.addOptions () ("results", po::value<std::string> (), "folder with the results") (
+      "ground_truth", po::value<std::string> ()->default_value ("both"),
+      "objects, parts or both") ("csv", po::value<std::string> (), "file to write with one row an object") (
+      "summary_csv", po::value<std::string> (), "file to write with all figures, one row a ground truth and category");
+  command_line.parse (argc, argv);
+  if (command_line.positional ().empty ())
+    command_line.fail ("no labelled scene given");
+  if (!command_line.has ("results"))
+    command_line.fail ("-results is missing");
+  const std::vector<GroundTruthKind> kinds = groundTruthKinds (command_line);
+
+  try
+  {
+    const Predictor predict = storedResults (command_line.get<std::string> ("results"));
+    report (command_line, kinds, scoreScenes (listScenes (command_line.positional ()), kinds, predict));
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "pcl_attention_evaluate: " << error.what () << std::endl;
+    return (EXIT_FAILURE);
+  }
+  return (EXIT_SUCCESS);
+}

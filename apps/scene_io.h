@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_attention
+{
+
+/** \brief A scene as read from its file, ready for pcl::AttentionSegmentation. */
+struct Scene
+{
+  std::string path;
+  std::string name; /**< the file's stem */
+  /** \brief Organized; NaN where not valid; black without colour. The sensor pose is one that sees the points. */
+  pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud;
+  bool has_color{false};
+  std::size_t valid_points{0};
+  Eigen::Vector4f stored_origin{Eigen::Vector4f::Zero ()}; /**< sensor pose as it stands in the file */
+  Eigen::Quaternionf stored_orientation{Eigen::Quaternionf::Identity ()};
+  /** \brief What the user should know about the data, one line each: nothing here keeps the scene from being used. */
+  std::vector<std::string> notes;
+
+  PCL_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+/** \brief Read a PCD file with the fields x, y, z and optionally rgb or rgba.
+ * \param[in] path the file
+ * \param[in] image_width columns of a cloud that is stored as one row although it holds the whole image row by row; 0:
+ * an unorganized cloud is an error \throws std::runtime_error: one line that names the file, what is wrong and what to
+ * do about it */
+Scene readScene (const std::string& path, int image_width = 0);
+
+} // namespace pcl_attention

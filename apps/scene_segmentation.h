@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "scene_io.h"
+#include <pcl_attention/core/parameters.h>
+
+#include <vector>
+
+namespace pcl_attention
+{
+
+/** \brief Everything that is found in a scene. */
+struct SceneSegments
+{
+  std::vector<AttentionSegment> segments; /**< ranks 1, 2, ... */
+  std::vector<SupportingPlane> supporting_planes;
+  StageTimes times;
+  std::size_t extracted_points{0}; /**< attention points of the saliency map, before any is skipped */
+  std::size_t patches{0};
+};
+
+/** \brief Run pcl::AttentionSegmentation; without colour on points without colour.
+ * \param[in] threads 0: all processors
+ * \throws std::runtime_error that names the scene */
+SceneSegments segmentScene (const Scene& scene, const AttentionParameters& parameters, unsigned int threads);
+
+} // namespace pcl_attention

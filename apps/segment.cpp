@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// pcl_attention_segment: the objects of RGB-D scenes, in order of attention.
+#include "evaluation/labelled_scene.h"
+#include "output_folder.h"
+#include "parameter_flags.h"
+#include "scene_io.h"
+#include "scene_segmentation.h"
+#include "segment_writer.h"
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <new>
+
+namespace fs = std::filesystem;
+using namespace pcl_attention;
+
+namespace
+{
+
+const char* const program = "pcl_attention_segment";
+
+struct Settings
+{
+  fs::path output_folder;
+  NamedParameters parameters;
+  int threads{0};
+  int image_width{0};
+};
+
+/** \brief Print what the user should know about a scene. That there is no colour is said once: it holds for all scenes
+ * of a sensor. */
+void
+printNotes (const Scene& scene, bool& no_color_said)
+{
+  for (const std::string& note : scene.notes)
+    std::cerr << program << ": " << scene.path << ": " << note << std::endl;
+  if (!scene.has_color && !no_color_said)
+  {
+    no_color_said = true;
+    std::cerr << program << ": " << scene.path << ": no colour: the colour constraint is off" << std::endl;
+  }
+}
+
+/** \brief \return "6 objects, 210 ms" */
+std::string
+processScene (const std::string& path, const Settings& settings, bool& no_color_said)
+{
+  const Scene scene = readScene (path, settings.image_width);
+  printNotes (scene, no_color_said);
+  OutputFolder folder (settings.output_folder, scene.name);
+  const SceneSegments result =
+      segmentScene (scene, settings.parameters.values, static_cast<unsigned int> (settings.threads));
+  writeSceneSegments (scene, result, settings.parameters, folder);
+  folder.commit ();
+  const std::size_t objects = result.segments.size ();
+  return (std::to_string (objects) + (objects == 1 ? " object, " : " objects, ") +
+          std::to_string (std::lround (result.times.total ())) + " ms");
+}
+
+/** \brief One after the other; a scene that fails does not keep the others from being segmented.
+ * \return how many failed */
+std::size_t
+processScenes (const std::vector<std::string>& paths, const Settings& settings)
+{
+  std::size_t failures = 0;
+  bool no_color_said = false;
+  for (std::size_t i = 0; i < paths.size (); ++i)
+  {
+    const std::string file_name = fs::path (paths[i]).filename ().string ();
+    std::string error;
+    try
+    {
+      const std::string summary = processScene (paths[i], settings, no_color_said);
+      if (paths.size () > 1)
+        std::cerr << '[' << i + 1 << '/' << paths.size () << "] " << file_name << ": " << summary << std::endl;
+      std::cout << (settings.output_folder / fs::path (paths[i]).stem ()).string () << ": " << summary << std::endl;
+    }
+    catch (const std::bad_alloc&)
+    {
+      error = paths[i] + ": not enough memory";
+    }
+    catch (const std::exception& exception)
+    {
+      error = exception.what ();
+    }
+    if (!error.empty ())
+    {
+      ++failures;
+      std::cerr << program << ": " << error << std::endl;
+    }
+  }
+  if (failures > 0 && paths.size () > 1)
+    std::cerr << program << ": " << failures << " of " << paths.size () << " scenes failed" << std::endl;
+  return (failures);
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  namespace po = boost::program_options;
+  CommandLine command_line (std::string (program) + " SCENE... -output_dir DIR [flags]",
+                            "Finds the objects of RGB-D scenes in order of attention. SCENE: organized PCD files (x, "
+                            "y, z in metres, rgb or rgba), "
+                            "or folders with them.\nWrites into DIR/<stem of the scene>/, which is replaced as a "
+                            "whole: attention_points.csv, "
+                            "segments.json,\nmask_0001.png ..., labels.pcd, overview.png and summary.json.\n\n"
+                            "Exit code: 0, 1 if a scene failed, 2 for a bad command line.");
+  command_line.addOptions () ("output_dir", po::value<std::string> (), "folder for the results; made if need be") (
+      "threads", po::value<int> ()->default_value (0),
+      "number of threads, 0 for all processors; does not change the results") (
+      "image_width", po::value<int> ()->default_value (0),
+      "columns of an image that a PCD file holds as one row, in pixels; 0: such a file is an error");
+  addParameterFlags (command_line);
+  command_line.parse (argc, argv);
+
+  Settings settings;
+  settings.parameters = parametersFromFlags (command_line);
+  settings.threads = command_line.get<int> ("threads");
+  settings.image_width = command_line.get<int> ("image_width");
+  if (settings.threads < 0)
+    command_line.fail ("-threads is " + std::to_string (settings.threads) + ", but must be 0 or more");
+  if (settings.image_width < 0)
+    command_line.fail ("-image_width is " + std::to_string (settings.image_width) + ", but must be 0 or more");
+  if (command_line.positional ().empty ())
+    command_line.fail ("no scene given");
+  if (!command_line.has ("output_dir") || command_line.get<std::string> ("output_dir").empty ())
+    command_line.fail ("-output_dir is missing");
+  settings.output_folder = command_line.get<std::string> ("output_dir");
+
+  try
+  {
+    const std::vector<std::string> paths = listScenes (command_line.positional ());
+    OutputFolder::prepareParent (settings.output_folder);
+    return (processScenes (paths, settings) == 0 ? EXIT_SUCCESS : EXIT_FAILURE);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << program << ": " << error.what () << std::endl;
+    return (EXIT_FAILURE);
+  }
+}

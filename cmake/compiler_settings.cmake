@@ -1,0 +1,17 @@
+# One interface target carries what every target of this project is compiled with, and nothing of it reaches users.
+add_library(pcl_attention_compiler_settings INTERFACE)
+target_compile_features(pcl_attention_compiler_settings INTERFACE cxx_std_17)
+# Without contraction the results are the same on every CPU, with and without fused multiply-add.
+target_compile_options(pcl_attention_compiler_settings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
+  $<$<BOOL:${PCL_ATTENTION_WARNINGS_AS_ERRORS}>:-Werror>)
+
+if(PCL_ATTENTION_SANITIZE)
+  target_compile_options(pcl_attention_compiler_settings INTERFACE
+    -fsanitize=${PCL_ATTENTION_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(pcl_attention_compiler_settings INTERFACE -fsanitize=${PCL_ATTENTION_SANITIZE})
+endif()
+if(PCL_ATTENTION_COVERAGE)
+  target_compile_options(pcl_attention_compiler_settings INTERFACE --coverage -O1)
+  target_link_options(pcl_attention_compiler_settings INTERFACE --coverage)
+endif()

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_attention/core/attention_points.h>
+#include <pcl_attention/core/color_histogram.h>
+#include <pcl_attention/core/patch_graph.h>
+#include <pcl_attention/core/visible_hull.h>
+
+#include <Eigen/Geometry>
+
+namespace pcl_attention
+{
+
+/** \brief Which patches an object starts with (paper IV-B: "all patches bordering this point with a 5 pixel radius"). */
+enum class InitialPatches
+{
+  within_radius, /**< all of them, as printed */
+  connected      /**< the patch at the point, and those within the radius that are connected to it in 3D and not concave */
+};
+
+/** \brief How the colours of a patch, the object and the not-object are compared. Chi-square is a distance, so that the printed
+  * CS_out < CS_in prefers patches that look like the background. */
+enum class ColorConstraint
+{
+  off,          /**< not at all */
+  nearer_object, /**< CS_in < CS_out: the patch looks more like the object */
+  as_printed    /**< CS_out < CS_in, the paper's text */
+};
+
+/** \brief Settings of the clustering of patches (paper IV-B). */
+struct ClusteringParameters
+{
+  InitialPatches initial_patches{InitialPatches::connected};
+  int initial_radius{5};              /**< around the attention point, pixels */
+  ColorConstraint color_constraint{ColorConstraint::off};
+  float compactness_threshold{0.01f}; /**< theta_com, metres */
+  int compactness_samples{100};       /**< points of a patch that kappa is the mean of, at most */
+  float minimum_connection{0.5f};     /**< share of the common border that is connected in 3D, 0..1; 0: off */
+  float minimum_convexity{-0.2f};     /**< of the common border, -2 (concave) .. 2; -2: off */
+  bool stay_off_support{true};        /**< patches of a supporting plane are not added */
+  bool join_occluded{true};           /**< join pieces of one object that an occluder separates; off with -parts */
+};
+
+/** \brief What decided about a candidate patch. */
+enum class GrowthConstraint
+{
+  none,        /**< every constraint held */
+  connection,  /**< too little of the border is connected in 3D */
+  convexity,   /**< the border is concave */
+  color,       /**< paper eq. 11 and 12 */
+  compactness, /**< paper eq. 13 and 14 */
+  support      /**< the patch belongs to a supporting plane */
+};
+
+/** \brief "none", "connection", "convexity", "color", "compactness" or "support". */
+PCL_ATTENTION_EXPORTS const char*
+toString (GrowthConstraint constraint);
+
+/** \brief One step of the growth: which patch was tried, and by which constraint and how much it was refused. */
+struct GrowthStep
+{
+  int patch{0};                                        /**< label */
+  GrowthConstraint refused_by{GrowthConstraint::none}; /**< none: the patch was added */
+  float value{0.0f};                                   /**< what the deciding constraint measured */
+  float limit{0.0f};                                   /**< what it was compared with */
+};
+
+/** \brief An oriented box. */
+struct OrientedBox
+{
+  Eigen::Vector3f center{Eigen::Vector3f::Zero ()};                /**< metres */
+  Eigen::Quaternionf orientation{Eigen::Quaternionf::Identity ()}; /**< from the box's axes to the cloud's */
+  Eigen::Vector3f size{Eigen::Vector3f::Zero ()};                  /**< along the box's axes, metres */
+};
+
+/** \brief One object: what was found at a fixation, and why it ended there. */
+struct AttentionSegment
+{
+  pcl::Indices indices;                /**< of its points in the input cloud, ascending */
+  AttentionPoint attention_point;      /**< the fixation it grew from */
+  int rank{0};                         /**< 1, 2, ... in order of attention */
+  std::vector<int> patches;            /**< labels, in the order they were added */
+  Eigen::Vector4f plane{Eigen::Vector4f::Zero ()}; /**< of the patch at the fixation: a, b, c, d, towards the viewpoint, metres */
+  OrientedBox box;
+  float compactness{0.0f};             /**< kappa (eq. 13), metres */
+  float confidence{0.0f};              /**< 0..1 */
+  GrowthConstraint growth_end{GrowthConstraint::none}; /**< what refused the neighbour with the longest common border when
+                                                         growth ended; none: no neighbour was left */
+  std::vector<GrowthStep> steps;       /**< the growth, step by step; starts after the initial patches */
+};
+
+/** \brief Grows objects over the patch graph. Holds what is shared by all objects of a scene: samples and hulls of the patches,
+  * and their colour histograms. The cloud, patches and graph must outlive it. */
+class PCL_ATTENTION_EXPORTS CompactClustering
+{
+public:
+  /** \param[in] support_patches 1 at [label] for patches that belong to a supporting plane; may be empty */
+  CompactClustering (const OrganizedCloud& cloud, const PlanarPatches& patches, const PatchGraph& graph,
+                     const std::vector<std::uint8_t>& support_patches, const ClusteringParameters& parameters);
+
+  /** \brief Segment the object at an attention point (paper IV-B).
+    * \return false when there is no patch at the point and none within the initial radius */
+  bool
+  grow (const AttentionPoint& point, AttentionSegment& segment);
+
+private:
+  struct Object;
+
+  std::vector<int>
+  initialPatches (const AttentionPoint& point) const;
+
+  void
+  addPatch (int label, Object& object);
+
+  /** \brief Try every neighbour, the longest connected border first, until none can be added. */
+  void
+  growOverBorders (Object& object, AttentionSegment& segment);
+
+  /** \brief Add the first piece behind an occluder that fits.
+    * \return false when there is none */
+  bool
+  joinOccluded (Object& object, AttentionSegment& segment);
+
+  /** \brief Ask all constraints about a patch.
+    * \param[in] border from the object to the patch */
+  GrowthStep
+  tryPatch (int label, const PatchBorder& border, Object& object);
+
+  /** \brief kappa of the object with one more patch (paper eq. 13). */
+  float
+  compactnessWith (int label, const Object& object);
+
+  /** \brief CS_in and CS_out (paper eq. 11 and 12). */
+  std::pair<float, float>
+  colorDistances (int label, Object& object) const;
+
+  /** \brief Colours outside the object's mask enlarged to twice its area (paper IV-B.1). */
+  ColorHistogram
+  notObject (const Object& object) const;
+
+  const std::vector<Eigen::Vector3f>&
+  hullVertices (int label);
+
+  const OrganizedCloud& cloud_;
+  const PlanarPatches& patches_;
+  const PatchGraph& graph_;
+  const std::vector<std::uint8_t> support_patches_;
+  const ClusteringParameters parameters_;
+  std::vector<std::vector<Eigen::Vector3f>> samples_;       /**< of label k at [k] */
+  std::vector<std::vector<Eigen::Vector3f>> hull_vertices_; /**< of label k at [k]; empty until asked for */
+  std::vector<ColorHistogram> histograms_;                  /**< of label k at [k]; empty without colour */
+  std::vector<std::uint8_t> color_bins_;                    /**< of every pixel; empty without colour */
+};
+
+} // namespace pcl_attention

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_attention/export.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_attention
+{
+
+/** \brief What every stage works on: an organized cloud as flat arrays in the sensor's own frame (x right, y down, z forward
+  * from the viewpoint, metres), so that "towards the viewer" is the same direction in every stage. */
+struct OrganizedCloud
+{
+  int width{0};
+  int height{0};
+  std::vector<float> x, y, z;      /**< metres; 0 where not valid */
+  std::vector<std::uint8_t> valid; /**< 1 where the point is finite and selected by the indices */
+  std::vector<std::uint8_t> red, green, blue; /**< 0..255; empty when the cloud has no colour */
+
+  std::size_t
+  size () const { return (valid.size ()); }
+
+  bool
+  hasColor () const { return (!red.empty ()); }
+
+  /** \brief Set the size and mark every point as not valid. */
+  void
+  reset (int columns, int rows)
+  {
+    width = columns;
+    height = rows;
+    const std::size_t count = static_cast<std::size_t> (columns) * rows;
+    x.assign (count, 0.0f);
+    y.assign (count, 0.0f);
+    z.assign (count, 0.0f);
+    valid.assign (count, 0);
+    red.clear ();
+    green.clear ();
+    blue.clear ();
+  }
+};
+
+/** \brief Unit normals towards the viewpoint and surface curvature, of the same size as their cloud. */
+struct NormalImage
+{
+  std::vector<float> x, y, z;      /**< unit length; 0 where not valid */
+  std::vector<float> curvature;    /**< l0 / (l0 + l1 + l2) of the neighbourhood's covariance, in [0, 1/3] */
+  std::vector<std::uint8_t> valid; /**< 1 where a normal is known */
+
+  std::size_t
+  size () const { return (valid.size ()); }
+
+  void
+  reset (std::size_t count)
+  {
+    x.assign (count, 0.0f);
+    y.assign (count, 0.0f);
+    z.assign (count, 0.0f);
+    curvature.assign (count, 0.0f);
+    valid.assign (count, 0);
+  }
+};
+
+/** \brief Focal length in pixels, estimated from the cloud itself by least squares of column = f x/z + c (and rows alike).
+  * \return 0 when the cloud has too few valid points to tell */
+PCL_ATTENTION_EXPORTS float
+estimateFocalLength (const OrganizedCloud& cloud);
+
+} // namespace pcl_attention

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_attention/core/compact_clustering.h>
+#include <pcl_attention/core/normals.h>
+#include <pcl_attention/core/saliency.h>
+#include <pcl_attention/core/supporting_plane.h>
+
+#include <memory>
+#include <optional>
+
+namespace pcl_attention
+{
+
+/** \brief Settings of the way through the stages. */
+struct SegmentationParameters
+{
+  bool inhibition_of_return{true}; /**< skip attention points that lie in an earlier segment */
+  bool coverage{true};             /**< every patch that no segment claims becomes an attention point, after all others */
+  int coverage_size{150};          /**< smaller patches do not, pixels */
+  int minimum_segment_size{50};    /**< smaller segments are no objects, pixels */
+};
+
+/** \brief The settings of all stages. */
+struct AttentionParameters
+{
+  NormalParameters normals;
+  SaliencyParameters saliency;
+  AttentionPointParameters attention_points;
+  PatchParameters patches;
+  PatchGraphParameters patch_graph;
+  SupportParameters support;
+  ClusteringParameters clustering;
+  SegmentationParameters segmentation;
+
+  /** \brief The paper's text with the repairs that its literal reading needs. */
+  PCL_ATTENTION_EXPORTS static AttentionParameters
+  paper ();
+};
+
+/** \brief Wall time of every stage, milliseconds. */
+struct StageTimes
+{
+  double normals{0.0}, saliency{0.0}, attention_points{0.0}, patches{0.0}, segmentation{0.0};
+
+  double
+  total () const { return (normals + saliency + attention_points + patches + segmentation); }
+};
+
+/** \brief Cloud in, objects out, one fixation at a time; every stage runs when its result is first asked for, and each can be
+  * replaced by the user's own result. */
+class PCL_ATTENTION_EXPORTS AttentionPipeline
+{
+public:
+  /** \brief Forget all results and start with a new frame.
+    * \param[in] cloud in the sensor frame
+    * \param[in] sensor_pose from the sensor frame to the frame of the user's cloud, in which planes and boxes are given */
+  void
+  start (OrganizedCloud&& cloud, const Eigen::Isometry3f& sensor_pose, const AttentionParameters& parameters, int threads);
+
+  /** \brief The user's own normals, saliency, patches or attention points instead of the computed ones. Before the first
+    * result that depends on them is asked for. */
+  void
+  setNormals (NormalImage&& normals);
+  void
+  setSaliency (SaliencyMaps&& saliency);
+  void
+  setPatches (PlanarPatches&& patches);
+  void
+  setAttentionPoints (AttentionPoints&& points);
+
+  const OrganizedCloud&
+  cloud () const { return (cloud_); }
+  const NormalImage&
+  normals ();
+  const SaliencyMaps&
+  saliency ();
+  const AttentionPoints&
+  attentionPoints ();
+  const PlanarPatches&
+  patches ();
+  const PatchGraph&
+  patchGraph ();
+
+  /** \brief In the frame of the user's cloud; the plane that objects stand on first, if there is one. */
+  const std::vector<SupportingPlane>&
+  supportingPlanes ();
+
+  /** \brief The next object in order of attention.
+    * \return false when there is none left */
+  bool
+  next (AttentionSegment& segment);
+
+  /** \brief The object at a point of the user's choice; does not change what \ref next gives.
+    * \return false when there is no patch at the point */
+  bool
+  segmentAt (const AttentionPoint& point, AttentionSegment& segment);
+
+  const StageTimes&
+  times () const { return (times_); }
+
+private:
+  CompactClustering&
+  clustering ();
+  bool
+  nextPoint (AttentionPoint& point);
+  void
+  describe (AttentionSegment& segment);
+
+  AttentionParameters parameters_;
+  int threads_{1};
+  Eigen::Isometry3f sensor_pose_{Eigen::Isometry3f::Identity ()};
+  OrganizedCloud cloud_;
+  std::optional<NormalImage> normals_;
+  std::optional<SaliencyMaps> saliency_;
+  std::optional<AttentionPoints> attention_points_;
+  std::optional<PlanarPatches> patches_;
+  std::optional<PatchGraph> patch_graph_;
+  std::optional<std::vector<SupportingPlane>> supporting_planes_;
+  std::vector<std::uint8_t> support_pixels_; /**< 1 on confident supporting planes */
+  std::unique_ptr<CompactClustering> clustering_;
+  std::size_t next_point_{0};
+  std::vector<AttentionPoint> coverage_points_;
+  std::size_t next_coverage_point_{0};
+  bool coverage_started_{false};
+  std::vector<std::uint8_t> claimed_; /**< 1 where a segment was found */
+  int segments_found_{0};
+  StageTimes times_;
+};
+
+} // namespace pcl_attention

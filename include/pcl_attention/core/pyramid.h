@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_attention/core/image.h>
+#include <pcl_attention/core/organized_cloud.h>
+
+namespace pcl_attention
+{
+
+/** \brief Halve a cloud and its normals with the binomial kernel [1 3 3 1] over valid points only (paper III-B). The kernel lies
+  * between the pixels 2c and 2c+1, so that halving commutes with mirroring wherever the size is even.
+  * A coarse point is valid when the fine pixels under it are valid by at least half of the kernel's weight. */
+PCL_ATTENTION_EXPORTS void
+halve (const OrganizedCloud& cloud, const NormalImage& normals, OrganizedCloud& half_cloud, NormalImage& half_normals);
+
+/** \brief Bilinear up-sampling of a pyramid level's map to the next finer size (inverse of \ref halve's sampling).
+  * \param[in] width,height the finer size */
+PCL_ATTENTION_EXPORTS Image<float>
+doubleSize (const Image<float>& map, int width, int height);
+
+/** \brief Mean over a (2 radius + 1) square, over the pixels inside the image. */
+PCL_ATTENTION_EXPORTS Image<float>
+boxBlur (const Image<float>& map, int radius);
+
+} // namespace pcl_attention

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_attention/core/symmetry.h>
+
+#include <vector>
+
+namespace pcl_attention
+{
+
+/** \brief The multi-scale symmetry saliency (paper III-B, eq. 9) with what it was made of. */
+struct SaliencyMaps
+{
+  Image<float> saliency;              /**< S, normalised to [0, 1]; 0 on invalid points */
+  float maximum{0.0f};                /**< the sum's maximum before the normalisation; 0 when nothing is symmetric */
+  std::vector<SymmetryMap> levels;    /**< finest first, each of its own size, after blur and thresholds */
+  Image<std::uint8_t> winning_level;  /**< 1..levels: the level that contributes most; 0 where S is 0 */
+  Image<std::uint8_t> winning_plane;  /**< 1..3: the winning axis at that level; 0 where S is 0 */
+};
+
+/** \brief Symmetry on every level of a Gaussian pyramid, summed across scales and normalised (paper eq. 9).
+  * \param[in] cloud points, sensor frame
+  * \param[in] normals of the same size
+  * \param[in] parameters see \ref SaliencyParameters
+  * \param[in] threads number of threads, at least 1; the result does not depend on it
+  * \param[out] maps see \ref SaliencyMaps */
+PCL_ATTENTION_EXPORTS void
+computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const SaliencyParameters& parameters, int threads,
+                 SaliencyMaps& maps);
+
+} // namespace pcl_attention

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_attention/export.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace pcl_attention
+{
+
+/** \brief The convex hull of an object as the sensor sees it: its vertices and the triangles that face the viewpoint. */
+struct VisibleHull
+{
+  struct Face
+  {
+    std::array<Eigen::Vector3f, 3> corners;
+    Eigen::Vector3f normal; /**< unit, out of the hull */
+    float offset;           /**< normal . p + offset = 0 on the face */
+  };
+
+  std::vector<Eigen::Vector3f> vertices; /**< of the whole hull */
+  std::vector<Face> faces;               /**< those that face the viewpoint only */
+  int dimension{0};                      /**< 3: a solid; 2: the points lie on a plane; 1 or less: on a line or in one point */
+};
+
+/** \brief Convex hull by pcl::ConvexHull and its faces towards the viewpoint, the origin (paper IV-B.2).
+  * \param[in] points at least one, sensor frame, finite; coplanar points give dimension 2 and the plane's polygon as faces,
+  *            collinear ones dimension 1 and no face */
+PCL_ATTENTION_EXPORTS VisibleHull
+computeVisibleHull (const std::vector<Eigen::Vector3f>& points);
+
+/** \brief Shortest distance from a point to a triangle, metres. */
+PCL_ATTENTION_EXPORTS float
+distanceToTriangle (const Eigen::Vector3f& point, const VisibleHull::Face& face);
+
+/** \brief Shortest distance from a point to any visible face, metres (paper eq. 14); 0 when no face is visible. */
+PCL_ATTENTION_EXPORTS float
+distanceToVisibleFaces (const Eigen::Vector3f& point, const VisibleHull& hull);
+
+/** \brief Compactness kappa, the mean distance of the object's points to the visible faces, metres (paper eq. 13).
+  * 0 for a hull of dimension under 3, whose points lie on it. */
+PCL_ATTENTION_EXPORTS float
+compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull);
+
+} // namespace pcl_attention

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_attention/core/attention_points.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace pcl_attention
+{
+
+namespace
+{
+
+/** \brief The valid pixel of a line that is nearest to a point, or nothing. */
+const Pixel*
+nearestValid (const Pixel& point, const std::vector<Pixel>& line, const std::vector<std::uint8_t>& valid, int width)
+{
+  const Pixel* nearest = nullptr;
+  int best = 0;
+  for (const Pixel& pixel : line)
+  {
+    if (!valid[static_cast<std::size_t> (pixel.row) * width + pixel.column])
+      continue;
+    const int distance = (pixel.column - point.column) * (pixel.column - point.column) +
+                         (pixel.row - point.row) * (pixel.row - point.row);
+    if (!nearest || distance < best)
+    {
+      nearest = &pixel;
+      best = distance;
+    }
+  }
+  return (nearest);
+}
+
+} // namespace
+
+const char*
+toString (AttentionPointKind kind)
+{
+  switch (kind)
+  {
+    case AttentionPointKind::junction:
+      return ("junction");
+    case AttentionPointKind::midpoint:
+      return ("midpoint");
+    case AttentionPointKind::winner:
+      return ("winner");
+    case AttentionPointKind::coverage:
+      return ("coverage");
+    case AttentionPointKind::user:
+      break;
+  }
+  return ("user");
+}
+
+std::vector<float>
+meanSaliency (const Image<float>& saliency, const Image<int>& labels, int count)
+{
+  std::vector<double> sums (count, 0.0);
+  std::vector<int> sizes (count, 0);
+  for (std::size_t index = 0; index < labels.size (); ++index)
+    if (labels[index] > 0)
+    {
+      sums[labels[index] - 1] += saliency[index];
+      ++sizes[labels[index] - 1];
+    }
+  std::vector<float> means (count, 0.0f);
+  for (int component = 0; component < count; ++component)
+    if (sizes[component] > 0)
+      means[component] = static_cast<float> (sums[component] / sizes[component]);
+  return (means);
+}
+
+void
+extractAttentionPoints (const Image<float>& saliency, const std::vector<std::uint8_t>& valid,
+                        const AttentionPointParameters& parameters, AttentionPoints& result)
+{
+  result = AttentionPoints ();
+  const int width = saliency.width, height = saliency.height;
+  Image<float> map = saliency;
+  float maximum = 0.0f;
+  for (float& value : map.data)
+  {
+    if (!std::isfinite (value) || value < 0.0f)
+      value = 0.0f;
+    maximum = std::max (maximum, value);
+  }
+  Image<std::uint8_t> mask (width, height, 0);
+  for (std::size_t index = 0; index < map.size (); ++index)
+    mask[index] = map[index] > parameters.pixel_threshold * maximum;
+  const int count = labelConnectedComponents (mask, result.components);
+  result.mean_saliency = meanSaliency (map, result.components, count);
+
+  for (std::size_t index = 0; index < mask.size (); ++index)
+    if (mask[index])
+      mask[index] = result.mean_saliency[result.components[index] - 1] > parameters.component_threshold * maximum;
+  result.skeleton = thin (mask);
+
+  std::vector<std::vector<Pixel>> lines (count);
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+      if (result.skeleton (column, row))
+        lines[result.components (column, row) - 1].push_back ({column, row});
+
+  for (int component = 0; component < count; ++component)
+  {
+    const std::vector<Pixel>& line = lines[component];
+    if (static_cast<int> (line.size ()) < parameters.minimum_skeleton_length)
+      continue;
+    std::vector<Pixel> pixels = findJunctions (result.skeleton, line, parameters.junction_merge_radius);
+    const AttentionPointKind kind = pixels.empty () ? AttentionPointKind::midpoint : AttentionPointKind::junction;
+    if (pixels.empty ())
+      pixels.push_back (findMidpoint (result.skeleton, line));
+    if (!parameters.all_junctions)
+      pixels = {*std::max_element (pixels.begin (), pixels.end (), [&] (const Pixel& a, const Pixel& b) {
+        return (map (a.column, a.row) < map (b.column, b.row));
+      })};
+    for (const Pixel& pixel : pixels)
+    {
+      const Pixel* moved = nearestValid (pixel, line, valid, width);
+      if (moved)
+        result.points.push_back ({moved->column, moved->row, result.mean_saliency[component],
+                                  map (moved->column, moved->row), kind, component + 1});
+    }
+  }
+
+  const auto order = [] (const AttentionPoint& point) {
+    return (std::make_tuple (-point.saliency, -point.point_saliency, point.row, point.column));
+  };
+  std::sort (result.points.begin (), result.points.end (),
+             [&] (const AttentionPoint& a, const AttentionPoint& b) { return (order (a) < order (b)); });
+  // Two junctions of a line may have moved to the same valid pixel.
+  result.points.erase (std::unique (result.points.begin (), result.points.end (),
+                                    [] (const AttentionPoint& a, const AttentionPoint& b) {
+                                      return (a.row == b.row && a.column == b.column);
+                                    }),
+                       result.points.end ());
+}
+
+} // namespace pcl_attention

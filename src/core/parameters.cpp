@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_attention/core/parameters.h>
+
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+namespace pcl_attention
+{
+
+namespace
+{
+
+std::string
+formatNumber (double value)
+{
+  std::ostringstream text;
+  text.imbue (std::locale::classic ());
+  text.precision (7);
+  text << value;
+  return (text.str ());
+}
+
+/** \brief Makes rows that read and write one field of one stage. */
+template <typename Stage>
+class Rows
+{
+public:
+  Rows (std::vector<ParameterDescription>& table, std::string stage_name, Stage AttentionParameters::*stage)
+  : table_ (table), stage_name_ (std::move (stage_name)), stage_ (stage)
+  {}
+
+  template <typename T> Rows&
+  number (const char* name, T Stage::*field, double minimum, double maximum, const char* unit, const char* source,
+          const char* help)
+  {
+    return (add ({name, stage_name_, unit, source, help, minimum, maximum, std::is_integral<T>::value, {}, {}, {}}, field));
+  }
+
+  template <typename T> Rows&
+  choice (const char* name, T Stage::*field, std::vector<std::string> choices, const char* source, const char* help)
+  {
+    const double maximum = static_cast<double> (choices.size () - 1);
+    return (add ({name, stage_name_, "", source, help, 0.0, maximum, true, std::move (choices), {}, {}}, field));
+  }
+
+  Rows&
+  toggle (const char* name, bool Stage::*field, const char* source, const char* help)
+  {
+    return (choice (name, field, {"off", "on"}, source, help));
+  }
+
+private:
+  template <typename T> Rows&
+  add (ParameterDescription row, T Stage::*field)
+  {
+    const auto stage = stage_;
+    row.get = [=] (const AttentionParameters& parameters) { return (static_cast<double> ((parameters.*stage).*field)); };
+    row.set = [=] (AttentionParameters& parameters, double value) { (parameters.*stage).*field = static_cast<T> (value); };
+    table_.push_back (std::move (row));
+    return (*this);
+  }
+
+  std::vector<ParameterDescription>& table_;
+  std::string stage_name_;
+  Stage AttentionParameters::*stage_;
+};
+
+template <typename Stage> Rows<Stage>
+rowsOf (std::vector<ParameterDescription>& table, const char* stage_name, Stage AttentionParameters::*stage)
+{
+  return (Rows<Stage> (table, stage_name, stage));
+}
+
+std::vector<ParameterDescription>
+makeTable ()
+{
+  using P = AttentionParameters;
+  std::vector<ParameterDescription> table;
+
+  rowsOf (table, "normals", &P::normals)
+    .choice ("normal_method", &NormalParameters::method, {"gated_window", "integral_image"}, "III-A",
+             "plane fit within a depth-gated window, or PCL's integral images")
+    .number ("normal_radius", &NormalParameters::radius, 1, 15, "pixels", "III-A", "half width of the window")
+    .number ("normal_depth_gate", &NormalParameters::depth_gate, 1e-4, 1.0, "m", "",
+             "neighbours beyond this depth difference are not fitted together");
+
+  rowsOf (table, "saliency", &P::saliency)
+    .number ("window_radius", &SaliencyParameters::window_radius, 1, 8, "pixels", "III-A, N(p)",
+             "offsets +-1..radius without the centre row and column")
+    .number ("levels", &SaliencyParameters::levels, 1, 8, "", "III-B, eq. 9", "levels of the pyramid")
+    .number ("distance_scale", &SaliencyParameters::distance_scale, 0, 1e6, "1/m", "eq. 3",
+             "units of the exponentials: 1000 is millimetres")
+    .toggle ("convexity_gate", &SaliencyParameters::convexity_gate, "",
+             "symmetry only where both halves' normals point away from the plane")
+    .number ("blur_radius", &SaliencyParameters::blur_radius, 0, 15, "pixels", "", "box blur of every level map; 0: off")
+    .number ("level_threshold", &SaliencyParameters::level_threshold, 0, 1, "share", "",
+             "of a level's maximum, under which its values become 0; 0: off")
+    .toggle ("normalize_levels", &SaliencyParameters::normalize_levels, "eq. 9", "divide every level by its maximum")
+    .number ("saliency_floor", &SaliencyParameters::saliency_floor, 0, 4, "", "",
+             "absolute symmetry under which a value is noise, whatever the maximum");
+
+  rowsOf (table, "attention_points", &P::attention_points)
+    .choice ("strategy", &AttentionPointParameters::strategy, {"symmetry_lines"}, "III-C, V-A",
+             "how attention points are chosen")
+    .number ("pixel_threshold", &AttentionPointParameters::pixel_threshold, 0, 1, "share", "III-C",
+             "of the map's maximum, that a pixel must exceed; 0: S > 0 as printed")
+    .number ("component_threshold", &AttentionPointParameters::component_threshold, 0, 1, "share", "III-C, theta_sal",
+             "of the map's maximum, that a component's mean must exceed")
+    .toggle ("all_junctions", &AttentionPointParameters::all_junctions, "III-C",
+             "every junction of a component, or only the most salient one")
+    .number ("junction_merge_radius", &AttentionPointParameters::junction_merge_radius, 0, 100, "pixels", "",
+             "junctions nearer than this are one")
+    .number ("minimum_skeleton_length", &AttentionPointParameters::minimum_skeleton_length, 1, 10000, "pixels", "",
+             "shorter skeletons give no point");
+
+  rowsOf (table, "patches", &P::patches)
+    .choice ("plane_model", &PatchParameters::plane_model, {"initial", "running"}, "IV-A",
+             "compare with the seed's plane, or with the patch's mean so far")
+    .number ("patch_maximum_angle", &PatchParameters::maximum_angle, 0, 1.5708, "radians", "IV-A",
+             "between a point's normal and the patch's")
+    .number ("patch_maximum_distance", &PatchParameters::maximum_distance, 1e-5, 1, "m", "IV-A",
+             "of a point from the patch's plane")
+    .number ("patch_maximum_step", &PatchParameters::maximum_step, 1e-5, 10, "m", "IV-A",
+             "between neighbouring pixels; beyond it a depth edge ends the patch")
+    .number ("patch_minimum_size", &PatchParameters::minimum_size, 1, 100000, "pixels", "IV-A", "smaller clusters are noise")
+    .number ("patch_reassign_distance", &PatchParameters::reassign_distance, 0, 1, "m", "IV-A",
+             "left-over points join a neighbouring patch nearer than this; 0: off");
+
+  rowsOf (table, "patch_graph", &P::patch_graph)
+    .number ("border_maximum_gap", &PatchGraphParameters::maximum_gap, 0, 100, "pixels", "",
+             "borders are found across at most this many pixels without a patch")
+    .number ("border_connection_distance", &PatchGraphParameters::connection_distance, 0, 1, "m", "",
+             "border points nearer than this are connected in 3D")
+    .number ("border_gap_slack", &PatchGraphParameters::gap_slack, 0, 100, "pixels", "",
+             "added to that distance for every pixel of a gap, in pixel widths at its depth")
+    .number ("border_sample_distance", &PatchGraphParameters::sample_distance, 1, 50, "pixels", "",
+             "convexity is judged between points this far inside either side");
+
+  rowsOf (table, "support", &P::support)
+    .number ("support_minimum_area", &SupportParameters::minimum_area, 0, 100, "m^2", "", "of a supporting plane")
+    .number ("support_tolerance", &SupportParameters::tolerance, 0, 1, "m", "", "of a point of it from the plane ...")
+    .number ("support_noise_tolerance", &SupportParameters::noise_tolerance, 0, 100, "", "",
+             "... plus this many standard deviations of the depth there")
+    .number ("support_minimum_confidence", &SupportParameters::minimum_confidence, 0, 1, "", "",
+             "planes under this confidence remove nothing");
+
+  rowsOf (table, "clustering", &P::clustering)
+    .choice ("initial_patches", &ClusteringParameters::initial_patches, {"within_radius", "connected"}, "IV-B",
+             "all patches near the attention point, or only those connected to the one at it")
+    .number ("initial_radius", &ClusteringParameters::initial_radius, 0, 100, "pixels", "IV-B", "around the attention point")
+    .choice ("color_constraint", &ClusteringParameters::color_constraint, {"off", "nearer_object", "as_printed"},
+             "eq. 11, 12", "add patches with CS_in < CS_out, or CS_out < CS_in as printed")
+    .number ("compactness_threshold", &ClusteringParameters::compactness_threshold, 0, 10, "m", "eq. 13, 14, theta_com",
+             "mean distance of the points to the visible faces of the hull")
+    .number ("compactness_samples", &ClusteringParameters::compactness_samples, 3, 100000, "", "eq. 13",
+             "points of a patch that the mean is taken over, at most")
+    .number ("minimum_connection", &ClusteringParameters::minimum_connection, 0, 1, "share", "",
+             "of the common border that is connected in 3D; 0: off")
+    .number ("minimum_convexity", &ClusteringParameters::minimum_convexity, -2, 2, "", "",
+             "of the common border, -2 concave, 2 convex; -2: off")
+    .toggle ("stay_off_support", &ClusteringParameters::stay_off_support, "", "patches of a supporting plane are not added")
+    .toggle ("join_occluded", &ClusteringParameters::join_occluded, "",
+             "join pieces of one object that an occluder separates");
+
+  rowsOf (table, "segmentation", &P::segmentation)
+    .toggle ("inhibition_of_return", &SegmentationParameters::inhibition_of_return, "",
+             "skip attention points that lie in an earlier segment")
+    .toggle ("coverage", &SegmentationParameters::coverage, "", "unclaimed patches become attention points after all others")
+    .number ("coverage_size", &SegmentationParameters::coverage_size, 1, 10000000, "pixels", "", "smaller patches do not")
+    .number ("minimum_segment_size", &SegmentationParameters::minimum_segment_size, 1, 10000000, "pixels", "",
+             "smaller segments are no objects");
+  return (table);
+}
+
+std::string
+describeRange (const ParameterDescription& row)
+{
+  if (!row.choices.empty ())
+  {
+    std::string text = "one of";
+    for (const std::string& choice : row.choices)
+      text += " " + choice;
+    return (text);
+  }
+  return ((row.integer ? "a whole number from " : "a number from ") + formatNumber (row.minimum) + " to " +
+          formatNumber (row.maximum) + (row.unit.empty () ? "" : " " + row.unit));
+}
+
+bool
+inRange (const ParameterDescription& row, double value)
+{
+  return (std::isfinite (value) && value >= row.minimum && value <= row.maximum &&
+          (!row.integer || value == std::floor (value)));
+}
+
+} // namespace
+
+std::string
+ParameterDescription::toString (const AttentionParameters& parameters) const
+{
+  const double value = get (parameters);
+  if (!choices.empty () && inRange (*this, value))
+    return (choices[static_cast<std::size_t> (value)]);
+  return (formatNumber (value));
+}
+
+std::string
+ParameterDescription::parse (const std::string& text, AttentionParameters& parameters) const
+{
+  double value = std::numeric_limits<double>::quiet_NaN ();
+  if (choices.empty ())
+  {
+    std::istringstream stream (text);
+    stream.imbue (std::locale::classic ());
+    if (!(stream >> value) || !stream.eof ())
+      value = std::numeric_limits<double>::quiet_NaN ();
+  }
+  else
+  {
+    for (std::size_t index = 0; index < choices.size (); ++index)
+      if (text == choices[index])
+        value = static_cast<double> (index);
+  }
+  if (!inRange (*this, value))
+    return (name + " is '" + text + "', but must be " + describeRange (*this));
+  set (parameters, value);
+  return ("");
+}
+
+const std::vector<ParameterDescription>&
+parameterTable ()
+{
+  static const std::vector<ParameterDescription> table = makeTable ();
+  return (table);
+}
+
+std::string
+validate (const AttentionParameters& parameters)
+{
+  for (const ParameterDescription& row : parameterTable ())
+    if (!inRange (row, row.get (parameters)))
+      return (row.name + " is " + row.toString (parameters) + ", but must be " + describeRange (row));
+  return ("");
+}
+
+} // namespace pcl_attention

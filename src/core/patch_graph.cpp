@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_attention/core/patch_graph.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pcl_attention
+{
+
+namespace
+{
+
+/** \brief Walks along the rows, columns and diagonals of the label image and notes every change of label. */
+class BorderScan
+{
+public:
+  BorderScan (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels,
+              const PatchGraphParameters& parameters, PatchGraph& graph)
+  : cloud_ (cloud),
+    normals_ (normals),
+    labels_ (labels),
+    parameters_ (parameters),
+    graph_ (graph),
+    focal_length_ (estimateFocalLength (cloud))
+  {}
+
+  void
+  scan (int column, int row, int step_column, int step_row)
+  {
+    const int step = step_row * labels_.width + step_column;
+    int last = -1, gap = 0; // index of the last labelled pixel, pixels without a label since then
+    for (; labels_.contains (column, row); column += step_column, row += step_row)
+    {
+      const int index = row * labels_.width + column;
+      const int label = labels_[index];
+      if (label == 0)
+      {
+        if (last >= 0 && gap++ == 0)
+          ++graph_.perimeter[labels_[last]];
+        continue;
+      }
+      if (last < 0 || gap > parameters_.maximum_gap)
+        ++graph_.perimeter[label];
+      else if (gap > 0)
+      {
+        ++graph_.perimeter[label];
+        if (labels_[last] != label)
+          addPair (last, index, step, gap + 1);
+      }
+      else if (labels_[last] != label)
+      {
+        ++graph_.perimeter[labels_[last]];
+        ++graph_.perimeter[label];
+        addPair (last, index, step, 1);
+      }
+      last = index;
+      gap = 0;
+    }
+    if (last >= 0 && gap == 0)
+      ++graph_.perimeter[labels_[last]];
+  }
+
+private:
+  Eigen::Vector3f
+  point (int index) const { return {cloud_.x[index], cloud_.y[index], cloud_.z[index]}; }
+
+  /** \brief The pixel sample_distance steps inside the patch, nearer if the patch ends before; -1 under 2 steps. */
+  int
+  inside (int index, int step) const
+  {
+    const int label = labels_[index];
+    int reached = 0;
+    const int column_step = ((step % labels_.width) + labels_.width + 1) % labels_.width - 1;
+    const int row_step = (step - column_step) / labels_.width;
+    int column = index % labels_.width, row = index / labels_.width;
+    while (reached < parameters_.sample_distance && labels_.contains (column + column_step, row + row_step) &&
+           labels_ (column + column_step, row + row_step) == label)
+    {
+      column += column_step;
+      row += row_step;
+      ++reached;
+    }
+    return (reached < std::min (2, parameters_.sample_distance) ? -1 : row * labels_.width + column);
+  }
+
+  void
+  addPair (int first, int second, int step, int distance_in_pixels)
+  {
+    if (labels_[first] > labels_[second])
+    {
+      std::swap (first, second);
+      step = -step;
+    }
+    PatchBorder& border = graph_.borders[{labels_[first], labels_[second]}];
+    ++border.pairs;
+    const Eigen::Vector3f a = point (first), b = point (second);
+    const float depth = std::max (a.z (), b.z ());
+    const float slack = focal_length_ > 0.0f
+                          ? parameters_.gap_slack * static_cast<float> (distance_in_pixels - 1) * depth / focal_length_ : 0.0f;
+    if ((b - a).norm () >= parameters_.connection_distance + slack)
+    {
+      ++(a.norm () < b.norm () ? border.first_in_front : border.second_in_front);
+      return;
+    }
+    ++border.connected;
+    const int inside_first = inside (first, -step), inside_second = inside (second, step);
+    if (inside_first < 0 || inside_second < 0 || !normals_.valid[inside_first] || !normals_.valid[inside_second])
+      return;
+    const Eigen::Vector3f direction = (point (inside_second) - point (inside_first)).normalized ();
+    const Eigen::Vector3f difference (normals_.x[inside_second] - normals_.x[inside_first],
+                                      normals_.y[inside_second] - normals_.y[inside_first],
+                                      normals_.z[inside_second] - normals_.z[inside_first]);
+    ++border.convexity_pairs;
+    border.convexity_sum += difference.dot (direction);
+  }
+
+  const OrganizedCloud& cloud_;
+  const NormalImage& normals_;
+  const Image<int>& labels_;
+  const PatchGraphParameters& parameters_;
+  PatchGraph& graph_;
+  float focal_length_;
+};
+
+} // namespace
+
+PatchBorder&
+PatchBorder::operator+= (const PatchBorder& other)
+{
+  pairs += other.pairs;
+  connected += other.connected;
+  first_in_front += other.first_in_front;
+  second_in_front += other.second_in_front;
+  convexity_pairs += other.convexity_pairs;
+  convexity_sum += other.convexity_sum;
+  return (*this);
+}
+
+PatchBorder
+PatchBorder::reversed () const
+{
+  PatchBorder border = *this;
+  std::swap (border.first_in_front, border.second_in_front);
+  return (border);
+}
+
+PatchBorder
+PatchGraph::border (int first, int second) const
+{
+  const auto found = borders.find (std::minmax (first, second));
+  if (found == borders.end ())
+    return (PatchBorder ());
+  return (first < second ? found->second : found->second.reversed ());
+}
+
+PatchGraph
+buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels, int count,
+                 const PatchGraphParameters& parameters)
+{
+  PatchGraph graph;
+  graph.neighbors.assign (count + 1, {});
+  graph.perimeter.assign (count + 1, 0);
+  graph.image_border.assign (count + 1, 0);
+  BorderScan scan (cloud, normals, labels, parameters, graph);
+  const int width = labels.width, height = labels.height;
+  for (int row = 0; row < height; ++row)
+  {
+    scan.scan (0, row, 1, 0);
+    scan.scan (0, row, 1, 1);
+    scan.scan (0, row, 1, -1);
+  }
+  for (int column = 0; column < width; ++column)
+  {
+    scan.scan (column, 0, 0, 1);
+    if (column > 0)
+    {
+      scan.scan (column, 0, 1, 1);
+      scan.scan (column, height - 1, 1, -1);
+    }
+  }
+  for (const auto& border : graph.borders)
+  {
+    graph.neighbors[border.first.first].push_back (border.first.second);
+    graph.neighbors[border.first.second].push_back (border.first.first);
+  }
+  for (auto& neighbors : graph.neighbors)
+    std::sort (neighbors.begin (), neighbors.end ());
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+      if (labels (column, row) && (row == 0 || row == height - 1 || column == 0 || column == width - 1))
+        ++graph.image_border[labels (column, row)];
+  return (graph);
+}
+
+} // namespace pcl_attention

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_attention/core/pipeline.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace pcl_attention
+{
+
+namespace
+{
+
+/** \brief Adds the time until it goes out of scope to a stage's. */
+class StageTimer
+{
+public:
+  explicit StageTimer (double& milliseconds) : milliseconds_ (milliseconds) {}
+
+  ~StageTimer ()
+  {
+    milliseconds_ += std::chrono::duration<double, std::milli> (std::chrono::steady_clock::now () - start_).count ();
+  }
+
+  StageTimer (const StageTimer&) = delete;
+  StageTimer&
+  operator= (const StageTimer&) = delete;
+
+private:
+  double& milliseconds_;
+  std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now ()};
+};
+
+Eigen::Vector3f
+pointAt (const OrganizedCloud& cloud, pcl::index_t index)
+{
+  return {cloud.x[index], cloud.y[index], cloud.z[index]};
+}
+
+/** \brief Box along the principal axes of the points, the first axis upright where an upright direction is known.
+  * \param[in] upright unit, or zero */
+OrientedBox
+fitBox (const OrganizedCloud& cloud, const pcl::Indices& indices, const Eigen::Vector3f& upright)
+{
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero ();
+  for (const pcl::index_t index : indices)
+    mean += pointAt (cloud, index) / static_cast<float> (indices.size ());
+  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero ();
+  for (const pcl::index_t index : indices)
+  {
+    Eigen::Vector3f difference = pointAt (cloud, index) - mean;
+    difference -= upright * upright.dot (difference);
+    covariance += difference * difference.transpose () / static_cast<float> (indices.size ());
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver (covariance);
+  Eigen::Matrix3f axes;
+  axes.col (0) = upright.isZero () ? Eigen::Vector3f (solver.eigenvectors ().col (0)) : upright;
+  axes.col (1) = solver.eigenvectors ().col (2);
+  axes.col (1) = (axes.col (1) - axes.col (0) * axes.col (0).dot (axes.col (1))).normalized ();
+  axes.col (2) = axes.col (0).cross (axes.col (1));
+  Eigen::Vector3f low = Eigen::Vector3f::Constant (std::numeric_limits<float>::max ()), high = -low;
+  for (const pcl::index_t index : indices)
+  {
+    const Eigen::Vector3f local = axes.transpose () * (pointAt (cloud, index) - mean);
+    low = low.cwiseMin (local);
+    high = high.cwiseMax (local);
+  }
+  OrientedBox box;
+  box.center = mean + axes * (0.5f * (low + high));
+  box.orientation = Eigen::Quaternionf (axes);
+  box.size = high - low;
+  return (box);
+}
+
+Eigen::Vector4f
+transformPlane (const Eigen::Isometry3f& pose, const Eigen::Vector4f& plane)
+{
+  Eigen::Vector4f moved;
+  moved.head<3> () = pose.linear () * plane.head<3> ();
+  moved[3] = plane[3] - moved.head<3> ().dot (pose.translation ());
+  return (moved);
+}
+
+} // namespace
+
+AttentionParameters
+AttentionParameters::paper ()
+{
+  AttentionParameters parameters;
+  parameters.saliency.window_radius = 5;
+  parameters.patches.plane_model = PlaneModel::initial;
+  parameters.clustering.initial_patches = InitialPatches::within_radius;
+  parameters.clustering.color_constraint = ColorConstraint::nearer_object;
+  parameters.clustering.compactness_threshold = 0.005f;
+  parameters.clustering.minimum_connection = 0.0f;
+  parameters.clustering.minimum_convexity = -2.0f;
+  parameters.clustering.stay_off_support = false;
+  parameters.clustering.join_occluded = false;
+  parameters.segmentation.inhibition_of_return = false;
+  parameters.segmentation.coverage = false;
+  parameters.segmentation.minimum_segment_size = 1;
+  return (parameters);
+}
+
+void
+AttentionPipeline::start (OrganizedCloud&& cloud, const Eigen::Isometry3f& sensor_pose,
+                          const AttentionParameters& parameters, int threads)
+{
+  parameters_ = parameters;
+  threads_ = std::max (1, threads);
+  sensor_pose_ = sensor_pose;
+  clustering_.reset ();
+  cloud_ = std::move (cloud);
+  normals_.reset ();
+  saliency_.reset ();
+  attention_points_.reset ();
+  patches_.reset ();
+  patch_graph_.reset ();
+  supporting_planes_.reset ();
+  support_pixels_.clear ();
+  next_point_ = 0;
+  coverage_points_.clear ();
+  next_coverage_point_ = 0;
+  coverage_started_ = false;
+  claimed_.assign (cloud_.size (), 0);
+  segments_found_ = 0;
+  times_ = StageTimes ();
+}
+
+void
+AttentionPipeline::setNormals (NormalImage&& normals)
+{
+  normals_ = std::move (normals);
+}
+
+void
+AttentionPipeline::setSaliency (SaliencyMaps&& saliency)
+{
+  saliency_ = std::move (saliency);
+}
+
+void
+AttentionPipeline::setPatches (PlanarPatches&& patches)
+{
+  patches_ = std::move (patches);
+  describePatches (cloud_, *patches_);
+}
+
+void
+AttentionPipeline::setAttentionPoints (AttentionPoints&& points)
+{
+  attention_points_ = std::move (points);
+}
+
+const NormalImage&
+AttentionPipeline::normals ()
+{
+  if (!normals_)
+  {
+    const StageTimer timer (times_.normals);
+    normals_.emplace ();
+    estimateNormals (cloud_, parameters_.normals, threads_, *normals_);
+  }
+  return (*normals_);
+}
+
+const SaliencyMaps&
+AttentionPipeline::saliency ()
+{
+  if (!saliency_)
+  {
+    normals ();
+    const StageTimer timer (times_.saliency);
+    saliency_.emplace ();
+    computeSaliency (cloud_, *normals_, parameters_.saliency, threads_, *saliency_);
+  }
+  return (*saliency_);
+}
+
+const AttentionPoints&
+AttentionPipeline::attentionPoints ()
+{
+  if (!attention_points_)
+  {
+    saliency ();
+    const StageTimer timer (times_.attention_points);
+    attention_points_.emplace ();
+    extractAttentionPoints (saliency_->saliency, cloud_.valid, parameters_.attention_points, *attention_points_);
+  }
+  return (*attention_points_);
+}
+
+const PlanarPatches&
+AttentionPipeline::patches ()
+{
+  if (!patches_)
+  {
+    normals ();
+    const StageTimer timer (times_.patches);
+    patches_.emplace ();
+    extractPlanarPatches (cloud_, *normals_, parameters_.patches, *patches_);
+  }
+  return (*patches_);
+}
+
+const PatchGraph&
+AttentionPipeline::patchGraph ()
+{
+  if (!patch_graph_)
+  {
+    normals ();
+    patches ();
+    const StageTimer timer (times_.patches);
+    patch_graph_ = buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
+                                    parameters_.patch_graph);
+  }
+  return (*patch_graph_);
+}
+
+const std::vector<SupportingPlane>&
+AttentionPipeline::supportingPlanes ()
+{
+  if (!supporting_planes_)
+  {
+    patchGraph ();
+    const StageTimer timer (times_.patches);
+    supporting_planes_ = findSupportingPlanes (cloud_, *normals_, *patches_, *patch_graph_, parameters_.support);
+    support_pixels_.assign (cloud_.size (), 0);
+    for (SupportingPlane& plane : *supporting_planes_)
+    {
+      if (plane.confidence >= parameters_.support.minimum_confidence)
+        for (const pcl::index_t index : plane.indices)
+          support_pixels_[index] = 1;
+      plane.coefficients = transformPlane (sensor_pose_, plane.coefficients);
+    }
+  }
+  return (*supporting_planes_);
+}
+
+CompactClustering&
+AttentionPipeline::clustering ()
+{
+  if (!clustering_)
+  {
+    supportingPlanes ();
+    std::vector<std::uint8_t> support_patches (patches_->patches.size () + 1, 0);
+    for (std::size_t k = 0; k < patches_->patches.size (); ++k)
+    {
+      const pcl::Indices& pixels = patches_->patches[k].pixels;
+      const auto on_support = std::count_if (pixels.begin (), pixels.end (),
+                                             [this] (pcl::index_t index) { return (support_pixels_[index]); });
+      support_patches[k + 1] = 2 * static_cast<std::size_t> (on_support) > pixels.size ();
+    }
+    const StageTimer timer (times_.segmentation);
+    clustering_ = std::make_unique<CompactClustering> (cloud_, *patches_, *patch_graph_, support_patches,
+                                                       parameters_.clustering);
+  }
+  return (*clustering_);
+}
+
+bool
+AttentionPipeline::nextPoint (AttentionPoint& point)
+{
+  const std::vector<AttentionPoint>& points = attentionPoints ().points;
+  const SegmentationParameters& settings = parameters_.segmentation;
+  while (next_point_ < points.size ())
+  {
+    point = points[next_point_++];
+    const std::size_t index = static_cast<std::size_t> (point.row) * cloud_.width + point.column;
+    if (!settings.inhibition_of_return || !claimed_[index])
+      return (true);
+  }
+  if (!settings.coverage)
+    return (false);
+  if (!coverage_started_)
+  {
+    coverage_started_ = true;
+    clustering ();
+    // The largest unclaimed patches first.
+    std::vector<std::pair<std::size_t, int>> order;
+    for (std::size_t k = 0; k < patches_->patches.size (); ++k)
+      order.emplace_back (patches_->patches[k].pixels.size (), static_cast<int> (k));
+    std::stable_sort (order.begin (), order.end (), [] (const auto& a, const auto& b) { return (a.first > b.first); });
+    for (const auto& [size, k] : order)
+    {
+      const PlanarPatch& patch = patches_->patches[k];
+      if (static_cast<int> (size) < settings.coverage_size)
+        break;
+      // The pixel nearest to the patch's centroid: a fixation lies on its patch.
+      const pcl::index_t center =
+        *std::min_element (patch.pixels.begin (), patch.pixels.end (), [&] (pcl::index_t a, pcl::index_t b) {
+          return ((pointAt (cloud_, a) - patch.centroid).squaredNorm () <
+                  (pointAt (cloud_, b) - patch.centroid).squaredNorm ());
+        });
+      AttentionPoint coverage_point;
+      coverage_point.column = center % cloud_.width;
+      coverage_point.row = center / cloud_.width;
+      coverage_point.point_saliency = saliency_ ? saliency_->saliency[center] : 0.0f;
+      coverage_point.kind = AttentionPointKind::coverage;
+      coverage_points_.push_back (coverage_point);
+    }
+  }
+  while (next_coverage_point_ < coverage_points_.size ())
+  {
+    point = coverage_points_[next_coverage_point_++];
+    const int label = patches_->labels (point.column, point.row);
+    const pcl::Indices& pixels = patches_->patches[label - 1].pixels;
+    const auto free = std::count_if (pixels.begin (), pixels.end (),
+                                     [this] (pcl::index_t index) { return (!claimed_[index] && !support_pixels_[index]); });
+    if (free >= settings.coverage_size && 2 * static_cast<std::size_t> (free) >= pixels.size ())
+      return (true);
+  }
+  return (false);
+}
+
+bool
+AttentionPipeline::next (AttentionSegment& segment)
+{
+  AttentionPoint point;
+  while (nextPoint (point))
+  {
+    CompactClustering& grower = clustering ();
+    const StageTimer timer (times_.segmentation);
+    if (!grower.grow (point, segment) ||
+        static_cast<int> (segment.indices.size ()) < parameters_.segmentation.minimum_segment_size)
+      continue;
+    segment.rank = ++segments_found_;
+    for (const pcl::index_t index : segment.indices)
+      claimed_[index] = 1;
+    describe (segment);
+    return (true);
+  }
+  segment = AttentionSegment ();
+  return (false);
+}
+
+bool
+AttentionPipeline::segmentAt (const AttentionPoint& point, AttentionSegment& segment)
+{
+  CompactClustering& grower = clustering ();
+  const StageTimer timer (times_.segmentation);
+  if (!grower.grow (point, segment))
+    return (false);
+  describe (segment);
+  return (true);
+}
+
+void
+AttentionPipeline::describe (AttentionSegment& segment)
+{
+  Eigen::Vector3f upright = Eigen::Vector3f::Zero ();
+  if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
+    upright = sensor_pose_.linear ().transpose () * supporting_planes_->front ().coefficients.head<3> ();
+  segment.box = fitBox (cloud_, segment.indices, upright);
+  segment.box.center = sensor_pose_ * segment.box.center;
+  segment.box.orientation = Eigen::Quaternionf (sensor_pose_.linear ()) * segment.box.orientation;
+  segment.plane = transformPlane (sensor_pose_, segment.plane);
+}
+
+} // namespace pcl_attention

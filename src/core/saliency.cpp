@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_attention/core/pyramid.h>
+#include <pcl_attention/core/saliency.h>
+
+#include <algorithm>
+
+namespace pcl_attention
+{
+
+namespace
+{
+
+float
+largest (const Image<float>& map)
+{
+  return (map.size () == 0 ? 0.0f : *std::max_element (map.data.begin (), map.data.end ()));
+}
+
+/** \brief Blur a level's map and drop what is noise on it. */
+void
+cleanLevel (const SaliencyParameters& parameters, SymmetryMap& level)
+{
+  level.symmetry = boxBlur (level.symmetry, parameters.blur_radius);
+  const float threshold = std::max (parameters.level_threshold * largest (level.symmetry), parameters.saliency_floor);
+  for (float& value : level.symmetry.data)
+    if (value < threshold)
+      value = 0.0f;
+}
+
+Image<float>
+enlarge (Image<float> map, std::size_t level, const std::vector<std::pair<int, int>>& sizes)
+{
+  while (level > 0)
+  {
+    --level;
+    map = doubleSize (map, sizes[level].first, sizes[level].second);
+  }
+  return (map);
+}
+
+/** \brief Paper eq. 9: the sum of all levels at the finest size; also which level gives most of it. */
+void
+acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& cloud, SaliencyMaps& maps)
+{
+  maps.saliency.assign (cloud.width, cloud.height, 0.0f);
+  maps.winning_level.assign (cloud.width, cloud.height, 0);
+  maps.winning_plane.assign (cloud.width, cloud.height, 0);
+  Image<float> best (cloud.width, cloud.height, 0.0f);
+  std::vector<std::pair<int, int>> sizes;
+  for (const SymmetryMap& level : maps.levels)
+    sizes.emplace_back (level.symmetry.width, level.symmetry.height);
+  for (std::size_t level = 0; level < maps.levels.size (); ++level)
+  {
+    const SymmetryMap& symmetry = maps.levels[level];
+    const float peak = largest (symmetry.symmetry);
+    if (peak <= 0.0f)
+      continue;
+    const float scale = parameters.normalize_levels ? 1.0f / peak : 1.0f;
+    const Image<float> contribution = enlarge (symmetry.symmetry, level, sizes);
+    for (int row = 0; row < cloud.height; ++row)
+      for (int column = 0; column < cloud.width; ++column)
+      {
+        const std::size_t index = static_cast<std::size_t> (row) * cloud.width + column;
+        if (!cloud.valid[index])
+          continue;
+        const float value = scale * contribution[index];
+        maps.saliency[index] += value;
+        if (value > best[index])
+        {
+          best[index] = value;
+          maps.winning_level[index] = static_cast<std::uint8_t> (level + 1);
+          maps.winning_plane[index] = symmetry.winning_axis (column >> level, row >> level);
+        }
+      }
+  }
+  maps.maximum = largest (maps.saliency);
+  if (maps.maximum > 0.0f)
+    for (float& value : maps.saliency.data)
+      value /= maps.maximum;
+}
+
+} // namespace
+
+void
+computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const SaliencyParameters& parameters, int threads,
+                 SaliencyMaps& maps)
+{
+  maps.levels.assign (parameters.levels, SymmetryMap ());
+  OrganizedCloud level_cloud, half_cloud;
+  NormalImage level_normals, half_normals;
+  for (int level = 0; level < parameters.levels; ++level)
+  {
+    const bool finest = level == 0;
+    if (!finest)
+    {
+      halve (level == 1 ? cloud : level_cloud, level == 1 ? normals : level_normals, half_cloud, half_normals);
+      std::swap (level_cloud, half_cloud);
+      std::swap (level_normals, half_normals);
+    }
+    SymmetryMap& map = maps.levels[level];
+    computeSymmetry (finest ? cloud : level_cloud, finest ? normals : level_normals, parameters, threads, map);
+    cleanLevel (parameters, map);
+  }
+  acrossScaleSum (parameters, cloud, maps);
+}
+
+} // namespace pcl_attention

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_attention/core/skeleton.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+
+namespace pcl_attention
+{
+
+namespace
+{
+
+/** \brief The 8 neighbours in the order of Zhang and Suen: north first, then clockwise. */
+constexpr std::array<std::array<int, 2>, 8> clockwise{
+  {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
+
+std::array<bool, 8>
+neighborhood (const Image<std::uint8_t>& image, int column, int row)
+{
+  std::array<bool, 8> neighbors;
+  for (int i = 0; i < 8; ++i)
+  {
+    const int c = column + clockwise[i][0], r = row + clockwise[i][1];
+    neighbors[i] = image.contains (c, r) && image (c, r);
+  }
+  return (neighbors);
+}
+
+int
+countTransitions (const std::array<bool, 8>& neighbors)
+{
+  int transitions = 0;
+  for (int i = 0; i < 8; ++i)
+    transitions += !neighbors[i] && neighbors[(i + 1) % 8];
+  return (transitions);
+}
+
+/** \brief One half-iteration of Zhang and Suen. */
+bool
+peel (Image<std::uint8_t>& image, std::vector<Pixel>& candidates, bool first_half)
+{
+  std::vector<Pixel> removed;
+  for (const Pixel& pixel : candidates)
+  {
+    const auto n = neighborhood (image, pixel.column, pixel.row);
+    const int count = static_cast<int> (std::count (n.begin (), n.end (), true));
+    if (count < 2 || count > 6 || countTransitions (n) != 1)
+      continue;
+    const bool north = n[0], east = n[2], south = n[4], west = n[6];
+    const bool keep = first_half ? (north && east && south) || (east && south && west)
+                                 : (north && east && west) || (north && south && west);
+    if (!keep)
+      removed.push_back (pixel);
+  }
+  bool any = false;
+  for (const Pixel& pixel : removed)
+  {
+    // A square of 2x2 pixels would vanish at once; its last pixel stays.
+    const auto n = neighborhood (image, pixel.column, pixel.row);
+    if (std::none_of (n.begin (), n.end (), [] (bool neighbor) { return (neighbor); }))
+      continue;
+    image (pixel.column, pixel.row) = 0;
+    any = true;
+  }
+  candidates.erase (std::remove_if (candidates.begin (), candidates.end (),
+                                    [&] (const Pixel& pixel) { return (!image (pixel.column, pixel.row)); }),
+                    candidates.end ());
+  return (any);
+}
+
+/** \brief Whether the foreground neighbours stay 8-connected to each other without the centre. */
+bool
+neighborsStayConnected (const std::array<bool, 8>& n)
+{
+  // Number of 8-connected foreground runs around the pixel (Yokoi et al. 1975, 8-connectivity number).
+  int number = 0;
+  for (int i = 0; i < 8; i += 2)
+    number += !n[i] && (n[(i + 1) % 8] || n[(i + 2) % 8]);
+  return (number == 1);
+}
+
+/** \brief Pixels of a path between the two pixels that lie farthest apart along the skeleton. */
+std::vector<Pixel>
+longestPath (const Image<std::uint8_t>& skeleton, const std::vector<Pixel>& pixels)
+{
+  Image<int> steps (skeleton.width, skeleton.height, -1);
+  const auto search = [&] (const Pixel& start) {
+    for (const Pixel& pixel : pixels)
+      steps (pixel.column, pixel.row) = -1;
+    std::queue<Pixel> queue;
+    queue.push (start);
+    steps (start.column, start.row) = 0;
+    Pixel last = start;
+    while (!queue.empty ())
+    {
+      last = queue.front ();
+      queue.pop ();
+      for (const auto& offset : clockwise)
+      {
+        const Pixel next{last.column + offset[0], last.row + offset[1]};
+        if (skeleton.contains (next.column, next.row) && skeleton (next.column, next.row) &&
+            steps (next.column, next.row) < 0)
+        {
+          steps (next.column, next.row) = steps (last.column, last.row) + 1;
+          queue.push (next);
+        }
+      }
+    }
+    return (last);
+  };
+  const Pixel end = search (search (pixels.front ()));
+  std::vector<Pixel> path{end};
+  while (steps (path.back ().column, path.back ().row) > 0)
+  {
+    const Pixel current = path.back ();
+    for (const auto& offset : clockwise)
+    {
+      const Pixel next{current.column + offset[0], current.row + offset[1]};
+      if (skeleton.contains (next.column, next.row) && skeleton (next.column, next.row) &&
+          steps (next.column, next.row) == steps (current.column, current.row) - 1)
+      {
+        path.push_back (next);
+        break;
+      }
+    }
+  }
+  return (path);
+}
+
+} // namespace
+
+int
+labelConnectedComponents (const Image<std::uint8_t>& mask, Image<int>& labels)
+{
+  labels.assign (mask.width, mask.height, 0);
+  int count = 0;
+  std::vector<Pixel> stack;
+  for (int row = 0; row < mask.height; ++row)
+    for (int column = 0; column < mask.width; ++column)
+    {
+      if (!mask (column, row) || labels (column, row))
+        continue;
+      labels (column, row) = ++count;
+      stack.push_back ({column, row});
+      while (!stack.empty ())
+      {
+        const Pixel pixel = stack.back ();
+        stack.pop_back ();
+        for (const auto& offset : clockwise)
+        {
+          const Pixel next{pixel.column + offset[0], pixel.row + offset[1]};
+          if (mask.contains (next.column, next.row) && mask (next.column, next.row) && !labels (next.column, next.row))
+          {
+            labels (next.column, next.row) = count;
+            stack.push_back (next);
+          }
+        }
+      }
+    }
+  return (count);
+}
+
+Image<std::uint8_t>
+thin (const Image<std::uint8_t>& mask)
+{
+  Image<std::uint8_t> skeleton (mask.width, mask.height, 0);
+  std::vector<Pixel> candidates;
+  for (int row = 0; row < mask.height; ++row)
+    for (int column = 0; column < mask.width; ++column)
+      if (mask (column, row))
+      {
+        skeleton (column, row) = 1;
+        candidates.push_back ({column, row});
+      }
+  bool changed = true;
+  while (changed)
+  {
+    const bool first = peel (skeleton, candidates, true);
+    const bool second = peel (skeleton, candidates, false);
+    changed = first || second;
+  }
+  // What is left may be two pixels wide at corners; each goes that the 8-connected line does not need.
+  for (const Pixel& pixel : candidates)
+  {
+    const auto n = neighborhood (skeleton, pixel.column, pixel.row);
+    const int count = static_cast<int> (std::count (n.begin (), n.end (), true));
+    if (count >= 2 && neighborsStayConnected (n) && (n[0] + n[2] + n[4] + n[6]) >= 2)
+      skeleton (pixel.column, pixel.row) = 0;
+  }
+  return (skeleton);
+}
+
+int
+crossingNumber (const Image<std::uint8_t>& skeleton, int column, int row)
+{
+  return (countTransitions (neighborhood (skeleton, column, row)));
+}
+
+std::vector<Pixel>
+findJunctions (const Image<std::uint8_t>& skeleton, const std::vector<Pixel>& pixels, float merge_radius)
+{
+  std::vector<Pixel> junctions;
+  for (const Pixel& pixel : pixels)
+    if (crossingNumber (skeleton, pixel.column, pixel.row) >= 3)
+      junctions.push_back (pixel);
+
+  const auto squaredDistance = [] (const Pixel& a, const Pixel& b) {
+    return (static_cast<float> ((a.column - b.column) * (a.column - b.column) + (a.row - b.row) * (a.row - b.row)));
+  };
+  std::vector<Pixel> merged;
+  std::vector<bool> used (junctions.size (), false);
+  for (std::size_t first = 0; first < junctions.size (); ++first)
+  {
+    if (used[first])
+      continue;
+    std::vector<Pixel> group{junctions[first]};
+    used[first] = true;
+    for (std::size_t member = 0; member < group.size (); ++member)
+      for (std::size_t other = first + 1; other < junctions.size (); ++other)
+        if (!used[other] && squaredDistance (group[member], junctions[other]) <= merge_radius * merge_radius)
+        {
+          used[other] = true;
+          group.push_back (junctions[other]);
+        }
+    float mean_column = 0.0f, mean_row = 0.0f;
+    for (const Pixel& pixel : group)
+    {
+      mean_column += static_cast<float> (pixel.column) / group.size ();
+      mean_row += static_cast<float> (pixel.row) / group.size ();
+    }
+    const auto toMean = [&] (const Pixel& pixel) {
+      return (std::hypot (pixel.column - mean_column, pixel.row - mean_row));
+    };
+    merged.push_back (*std::min_element (group.begin (), group.end (), [&] (const Pixel& a, const Pixel& b) {
+      return (toMean (a) < toMean (b));
+    }));
+  }
+  return (merged);
+}
+
+Pixel
+findMidpoint (const Image<std::uint8_t>& skeleton, const std::vector<Pixel>& pixels)
+{
+  const bool has_end = std::any_of (pixels.begin (), pixels.end (), [&] (const Pixel& pixel) {
+    return (crossingNumber (skeleton, pixel.column, pixel.row) <= 1);
+  });
+  if (!has_end)
+    return (*std::min_element (pixels.begin (), pixels.end (), [] (const Pixel& a, const Pixel& b) {
+      return (a.row != b.row ? a.row < b.row : a.column < b.column);
+    }));
+  const std::vector<Pixel> path = longestPath (skeleton, pixels);
+  return (path[path.size () / 2]);
+}
+
+} // namespace pcl_attention
