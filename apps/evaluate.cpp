@@ -44,8 +44,7 @@ groundTruthKinds (const CommandLine& command_line)
   return {GroundTruthKind::objects, GroundTruthKind::parts};
 }
 
-/** \brief Progress on stderr, for more than one scene: one line that is overwritten on a terminal, else a line a scene.
- */
+/** \brief Progress on stderr, for more than one scene: on a terminal one line that is overwritten, else a line each. */
 class Progress
 {
 public:
@@ -131,10 +130,13 @@ main (int argc, char** argv)
       "invalid, 1-19 support,\n20.. parts of objects, label / 10 = object). Results are read from "
       "DIR/<stem>/, in the layout that\npcl_attention_segment writes: attention_points.csv, mask_0001.png "
       "..., optionally labels.pcd and segments.json.");
-  command_line.addOptions () ("results", po::value<std::string> (), "folder with the results") (
-      "ground_truth", po::value<std::string> ()->default_value ("both"),
-      "objects, parts or both") ("csv", po::value<std::string> (), "file to write with one row an object") (
-      "summary_csv", po::value<std::string> (), "file to write with all figures, one row a ground truth and category");
+  // clang-format off
+  command_line.addOptions ()
+    ("results", po::value<std::string> (), "folder with the results")
+    ("ground_truth", po::value<std::string> ()->default_value ("both"), "objects, parts or both")
+    ("csv", po::value<std::string> (), "file to write with one row an object")
+    ("summary_csv", po::value<std::string> (), "file to write with all figures, one row a ground truth and category");
+  // clang-format on
   command_line.parse (argc, argv);
   if (command_line.positional ().empty ())
     command_line.fail ("no labelled scene given");

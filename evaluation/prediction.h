@@ -31,8 +31,7 @@ struct ScenePrediction
       labels; ///< per pixel, row-major: 0 = no object, else a segment, by any number (usually its rank)
 };
 
-/** \brief Label image in which every pixel belongs to the first segment (in order of attention) whose mask claims it.
- */
+/** \brief Label image: every pixel belongs to the first segment (in order of attention) whose mask claims it. */
 std::vector<std::uint32_t> labelsOfMasks (int width, int height, const std::vector<PredictedSegment>& segments);
 
 /** \brief Prediction of a system without attention: each label of the image is a segment without an attention point. */

@@ -30,29 +30,35 @@ toString (GrowthConstraint constraint)
   return ("none");
 }
 
-/** \brief The growing object. */
-struct CompactClustering::Object
+/** \brief A set of patches: the growing object, or what it may join. */
+struct CompactClustering::Piece
 {
   std::vector<int> patches;
   std::vector<std::uint8_t> member;   /**< at [label] */
-  std::map<int, PatchBorder> borders; /**< to every neighbour that is no member, seen from the object */
-  std::vector<Eigen::Vector3f> samples;
+  std::map<int, PatchBorder> borders; /**< to every neighbour that is no member, seen from the piece */
   std::vector<Eigen::Vector3f> hull_vertices;
   ColorHistogram histogram;
-  std::size_t pixels{0};
-  int perimeter{0};
+  int pixels{0};
+  int perimeter{0};            /**< contour pairs */
+  float hollowness{0.0f};
   ColorHistogram surroundings; /**< the not-object, worked out when it is first needed after a change */
   bool surroundings_known{false};
 };
 
-CompactClustering::CompactClustering (const OrganizedCloud& cloud, const PlanarPatches& patches, const PatchGraph& graph,
-                                      const std::vector<std::uint8_t>& support_patches,
+CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
+                                      const PatchGraph& graph, const std::vector<std::uint8_t>& support_patches,
                                       const ClusteringParameters& parameters)
-: cloud_ (cloud), patches_ (patches), graph_ (graph), support_patches_ (support_patches), parameters_ (parameters)
+: cloud_ (cloud),
+  normals_ (normals),
+  patches_ (patches),
+  graph_ (graph),
+  support_patches_ (support_patches),
+  parameters_ (parameters)
 {
   const std::size_t count = patches.patches.size () + 1;
   samples_.resize (count);
   hull_vertices_.resize (count);
+  pieces_.resize (count);
   histograms_.resize (count);
   color_bins_ = colorBins (cloud);
   for (std::size_t label = 1; label < count; ++label)
@@ -62,13 +68,17 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const PlanarP
     for (std::size_t sample = 0; sample < samples; ++sample)
     {
       const pcl::index_t index = pixels[sample * pixels.size () / samples];
-      samples_[label].emplace_back (cloud.x[index], cloud.y[index], cloud.z[index]);
+      samples_[label].push_back ({{cloud.x[index], cloud.y[index], cloud.z[index]},
+                                  {normals.x[index], normals.y[index], normals.z[index]},
+                                  static_cast<float> (pixels.size ()) / static_cast<float> (samples)});
     }
     if (!color_bins_.empty ())
       for (const pcl::index_t index : pixels)
         histograms_[label].add (color_bins_[index]);
   }
 }
+
+CompactClustering::~CompactClustering () = default;
 
 const std::vector<Eigen::Vector3f>&
 CompactClustering::hullVertices (int label)
@@ -93,9 +103,6 @@ CompactClustering::hullVertices (int label)
 std::vector<int>
 CompactClustering::initialPatches (const AttentionPoint& point) const
 {
-  const auto isTaken = [this] (int label) {
-    return (parameters_.stay_off_support && !support_patches_.empty () && support_patches_[label]);
-  };
   // Nearest first, so that the first label is the patch at the point, or the nearest one to it.
   std::vector<std::pair<int, int>> near;
   const int radius = parameters_.initial_radius;
@@ -106,7 +113,7 @@ CompactClustering::initialPatches (const AttentionPoint& point) const
       if (!patches_.labels.contains (column, row) || distance > radius * radius)
         continue;
       const int label = patches_.labels (column, row);
-      if (label && !isTaken (label))
+      if (label && !(parameters_.stay_off_support && isSupport (label)))
         near.emplace_back (distance, label);
     }
   std::sort (near.begin (), near.end ());
@@ -129,49 +136,85 @@ CompactClustering::initialPatches (const AttentionPoint& point) const
 }
 
 void
-CompactClustering::addPatch (int label, Object& object)
+CompactClustering::addPatch (int label, Piece& piece)
 {
-  object.patches.push_back (label);
-  object.member[label] = 1;
-  object.borders.erase (label);
+  if (piece.member.empty ())
+    piece.member.assign (patches_.patches.size () + 1, 0);
+  const auto common = piece.borders.find (label);
+  piece.perimeter += graph_.perimeter[label];
+  if (common != piece.borders.end ())
+  {
+    piece.perimeter -= 2 * common->second.pairs;
+    piece.borders.erase (common);
+  }
+  piece.patches.push_back (label);
+  piece.member[label] = 1;
   for (const int neighbor : graph_.neighbors[label])
-    if (!object.member[neighbor])
-      object.borders[neighbor] += graph_.border (label, neighbor);
-  object.samples.insert (object.samples.end (), samples_[label].begin (), samples_[label].end ());
-  std::vector<Eigen::Vector3f> vertices = object.hull_vertices;
+    if (!piece.member[neighbor])
+      piece.borders[neighbor] += graph_.border (label, neighbor);
+  std::vector<Eigen::Vector3f> vertices = piece.hull_vertices;
   const std::vector<Eigen::Vector3f>& added = hullVertices (label);
   vertices.insert (vertices.end (), added.begin (), added.end ());
-  object.hull_vertices = computeVisibleHull (vertices).vertices;
-  object.histogram += histograms_[label];
-  object.pixels += patches_.patches[label - 1].pixels.size ();
-  object.perimeter += graph_.perimeter[label];
-  object.surroundings_known = false;
+  piece.hull_vertices = computeVisibleHull (vertices).vertices;
+  piece.histogram += histograms_[label];
+  piece.pixels += static_cast<int> (patches_.patches[label - 1].pixels.size ());
+  piece.hollowness = hollowness (piece);
+  piece.surroundings_known = false;
 }
 
 float
-CompactClustering::compactnessWith (int label, const Object& object)
+CompactClustering::hollowness (const Piece& piece) const
 {
-  std::vector<Eigen::Vector3f> vertices = object.hull_vertices, samples = object.samples;
+  Eigen::Vector3f centroid = Eigen::Vector3f::Zero ();
+  for (const int label : piece.patches)
+  {
+    const PlanarPatch& patch = patches_.patches[label - 1];
+    centroid += patch.centroid * (static_cast<float> (patch.pixels.size ()) / static_cast<float> (piece.pixels));
+  }
+  float sum = 0.0f, weights = 0.0f;
+  for (const int label : piece.patches)
+    for (const Sample& sample : samples_[label])
+    {
+      const Eigen::Vector3f inwards = centroid - sample.point;
+      const float length = inwards.norm ();
+      if (length < 1e-6f)
+        continue;
+      sum += sample.weight * sample.normal.dot (inwards) / length;
+      weights += sample.weight;
+    }
+  return (weights > 0.0f ? sum / weights : 0.0f);
+}
+
+float
+CompactClustering::compactnessWith (int label, const Piece& piece, bool hollow)
+{
+  std::vector<Eigen::Vector3f> vertices = piece.hull_vertices, points;
   const std::vector<Eigen::Vector3f>& added = hullVertices (label);
   vertices.insert (vertices.end (), added.begin (), added.end ());
-  samples.insert (samples.end (), samples_[label].begin (), samples_[label].end ());
-  return (compactness (samples, computeVisibleHull (vertices)));
+  for (const int member : piece.patches)
+    for (const Sample& sample : samples_[member])
+      points.push_back (sample.point);
+  for (const Sample& sample : samples_[label])
+    points.push_back (sample.point);
+  const VisibleHull hull = computeVisibleHull (vertices);
+  return (hollow ? hollowCompactness (points, hull) : compactness (points, hull));
 }
 
 ColorHistogram
-CompactClustering::notObject (const Object& object) const
+CompactClustering::notObject (const Piece& piece) const
 {
   Image<std::uint8_t> enlarged (cloud_.width, cloud_.height, 0);
   std::vector<pcl::index_t> front;
-  for (const int label : object.patches)
+  for (const int label : piece.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
     {
       enlarged[index] = 1;
       front.push_back (index);
     }
   // Ring by ring, every pixel of the image counting, until the area is doubled.
+  const std::size_t doubled = 2 * front.size ();
   std::size_t area = front.size ();
-  while (area < 2 * object.pixels && !front.empty ())
+  while (area < doubled && !front.empty ())
   {
     std::vector<pcl::index_t> next;
     for (const pcl::index_t index : front)
@@ -179,7 +222,7 @@ CompactClustering::notObject (const Object& object) const
       const int column = index % cloud_.width, row = index / cloud_.width;
       for (int r = row - 1; r <= row + 1; ++r)
         for (int c = column - 1; c <= column + 1; ++c)
-          if (enlarged.contains (c, r) && !enlarged (c, r) && area < 2 * object.pixels)
+          if (enlarged.contains (c, r) && !enlarged (c, r) && area < doubled)
           {
             enlarged (c, r) = 1;
             next.push_back (r * cloud_.width + c);
@@ -196,18 +239,18 @@ CompactClustering::notObject (const Object& object) const
 }
 
 std::pair<float, float>
-CompactClustering::colorDistances (int label, Object& object) const
+CompactClustering::colorDistances (int label, Piece& piece) const
 {
-  if (!object.surroundings_known)
+  if (!piece.surroundings_known)
   {
-    object.surroundings = notObject (object);
-    object.surroundings_known = true;
+    piece.surroundings = notObject (piece);
+    piece.surroundings_known = true;
   }
-  return {chiSquare (object.histogram, histograms_[label]), chiSquare (object.surroundings, histograms_[label])};
+  return {chiSquare (piece.histogram, histograms_[label]), chiSquare (piece.surroundings, histograms_[label])};
 }
 
 GrowthStep
-CompactClustering::tryPatch (int label, const PatchBorder& border, Object& object)
+CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece)
 {
   GrowthStep step;
   step.patch = label;
@@ -217,21 +260,50 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Object& objec
     step.limit = limit;
     return (step);
   };
-  if (parameters_.stay_off_support && !support_patches_.empty () && support_patches_[label])
+  if (parameters_.stay_off_support && isSupport (label))
     return (refuse (GrowthConstraint::support, 1.0f, 0.0f));
   if (border.connectedShare () < parameters_.minimum_connection)
     return (refuse (GrowthConstraint::connection, border.connectedShare (), parameters_.minimum_connection));
-  if (border.convexity () < parameters_.minimum_convexity)
-    return (refuse (GrowthConstraint::convexity, border.convexity (), parameters_.minimum_convexity));
+
+  bool hollow = false;
+  if (parameters_.minimum_convexity > -2.0f)
+  {
+    constexpr float curved_inwards = 0.01f, certainly_curved = 0.2f;
+    constexpr int certain_size = 200, color_size = 40;
+    Piece candidate;
+    candidate.patches = {label};
+    candidate.pixels = static_cast<int> (patches_.patches[label - 1].pixels.size ());
+    candidate.hollowness = hollowness (candidate);
+    float limit = parameters_.minimum_convexity;
+    if (parameters_.recognize_hollows)
+    {
+      hollow = piece.hollowness > curved_inwards && candidate.hollowness > curved_inwards;
+      if (hollow)
+        limit = std::min (limit, -0.7f);
+      const bool inside_and_outside =
+        std::max (piece.hollowness, candidate.hollowness) > certainly_curved &&
+        std::min (piece.hollowness, candidate.hollowness) < -certainly_curved &&
+        std::min (piece.pixels, candidate.pixels) >= certain_size;
+      if (inside_and_outside)
+        return (refuse (GrowthConstraint::convexity, -2.0f, limit));
+    }
+    if (std::min (piece.pixels, candidate.pixels) < color_size)
+      limit = std::min (limit, -0.6f);
+    else if (!color_bins_.empty ())
+      limit += parameters_.color_convexity *
+               std::clamp ((chiSquare (piece.histogram, histograms_[label]) - 0.5f) / 0.5f, -1.0f, 1.0f);
+    if (border.convexity () < limit)
+      return (refuse (GrowthConstraint::convexity, border.convexity (), limit));
+  }
   if (parameters_.color_constraint != ColorConstraint::off && !color_bins_.empty ())
   {
-    const auto [inside, outside] = colorDistances (label, object);
+    const auto [inside, outside] = colorDistances (label, piece);
     const bool fulfilled =
       parameters_.color_constraint == ColorConstraint::as_printed ? outside < inside : inside < outside;
     if (!fulfilled)
       return (refuse (GrowthConstraint::color, inside, outside));
   }
-  const float kappa = compactnessWith (label, object);
+  const float kappa = compactnessWith (label, piece, hollow);
   if (kappa >= parameters_.compactness_threshold)
     return (refuse (GrowthConstraint::compactness, kappa, parameters_.compactness_threshold));
   step.value = kappa;
@@ -240,25 +312,25 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Object& objec
 }
 
 void
-CompactClustering::growOverBorders (Object& object, AttentionSegment& segment)
+CompactClustering::growOverBorders (Piece& piece, std::vector<GrowthStep>* steps)
 {
   bool grown = true;
   while (grown)
   {
     grown = false;
-    // In one round every patch is tried once, or again if its border to the object has become longer.
+    // In one round every patch is tried once, or again if its border to the piece has become longer.
     std::map<int, int> tried;
     while (true)
     {
       int best = 0;
       float best_priority = -1.0f;
-      for (const auto& [label, border] : object.borders)
+      for (const auto& [label, border] : piece.borders)
       {
         const auto before = tried.find (label);
         if (before != tried.end () && before->second == border.pairs)
           continue;
         const float priority =
-          static_cast<float> (border.connected) / std::max (1, std::min (object.perimeter, graph_.perimeter[label]));
+          static_cast<float> (border.connected) / std::max (1, std::min (piece.perimeter, graph_.perimeter[label]));
         if (priority > best_priority)
         {
           best = label;
@@ -267,22 +339,183 @@ CompactClustering::growOverBorders (Object& object, AttentionSegment& segment)
       }
       if (best == 0)
         break;
-      const PatchBorder border = object.borders[best];
+      const PatchBorder border = piece.borders[best];
       tried[best] = border.pairs;
-      const GrowthStep step = tryPatch (best, border, object);
-      segment.steps.push_back (step);
+      const GrowthStep step = tryPatch (best, border, piece);
+      if (steps)
+        steps->push_back (step);
       if (step.refused_by == GrowthConstraint::none)
       {
-        addPatch (best, object);
+        addPatch (best, piece);
         grown = true;
       }
     }
   }
 }
 
-bool
-CompactClustering::joinOccluded (Object&, AttentionSegment&)
+const CompactClustering::Piece&
+CompactClustering::pieceAt (int label)
 {
+  if (!pieces_[label])
+  {
+    auto piece = std::make_unique<Piece> ();
+    addPatch (label, *piece);
+    growOverBorders (*piece, nullptr);
+    pieces_[label] = std::move (piece);
+  }
+  return (*pieces_[label]);
+}
+
+PatchBorder
+CompactClustering::borderBetween (const Piece& piece, const Piece& other) const
+{
+  PatchBorder border;
+  for (const int label : other.patches)
+  {
+    const auto found = piece.borders.find (label);
+    if (found != piece.borders.end ())
+      border += found->second;
+  }
+  return (border);
+}
+
+bool
+CompactClustering::isFragmentOf (const Piece& object, const Piece& piece)
+{
+  if (piece.pixels >= parameters_.absorb_size || piece.pixels >= object.pixels)
+    return (false);
+  const PatchBorder border = borderBetween (object, piece);
+  if (border.connected < 0.3f * piece.perimeter || border.convexity () < -0.8f)
+    return (false);
+  for (const auto& [label, other] : piece.borders)
+    if (!object.member[label] && !isSupport (label) && borderBetween (pieceAt (label), piece).connected > border.connected)
+      return (false);
+  return (true);
+}
+
+bool
+CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
+{
+  constexpr float hollow = 0.15f;
+  const bool object_is_hollow = object.hollowness > hollow, piece_is_hollow = piece.hollowness > hollow;
+  if (object_is_hollow == piece_is_hollow)
+    return (false);
+  const Piece& inside = object_is_hollow ? object : piece;
+  const Piece& wall = object_is_hollow ? piece : object;
+  const auto score = [&] (const Piece& candidate) {
+    const PatchBorder border = borderBetween (candidate, inside);
+    const float share = static_cast<float> (border.pairs) / std::max (1, inside.perimeter);
+    const float color = chiSquare (candidate.histogram, inside.histogram);
+    const bool before = border.first_in_front >= 0.4f * border.pairs;
+    const bool over_rim = border.connectedShare () >= 0.5f && border.convexity () >= 0.1f;
+    return (share >= 0.15f && color <= 0.9f && (before || over_rim) ? share * (1.05f - color) : 0.0f);
+  };
+  const float own = score (wall);
+  if (own <= 0.0f)
+    return (false);
+  for (const auto& neighbor : inside.borders)
+    if (!wall.member[neighbor.first] && !isSupport (neighbor.first) && score (pieceAt (neighbor.first)) > own)
+      return (false);
+  return (true);
+}
+
+bool
+CompactClustering::isEnclosedBy (const Piece& object, const Piece& piece) const
+{
+  const PatchBorder border = borderBetween (object, piece);
+  return (object.pixels > piece.pixels && border.pairs >= 0.8f * piece.perimeter &&
+          border.second_in_front <= 0.2f * border.pairs);
+}
+
+bool
+CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece)
+{
+  constexpr int certain_size = 200;
+  if (object.pixels < certain_size || piece.pixels < certain_size || borderBetween (object, piece).pairs > 0)
+    return (false);
+  const auto centroid = [this] (const Piece& of) {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero ();
+    for (const int label : of.patches)
+    {
+      const PlanarPatch& patch = patches_.patches[label - 1];
+      sum += patch.centroid * (static_cast<float> (patch.pixels.size ()) / static_cast<float> (of.pixels));
+    }
+    return (sum);
+  };
+  const auto centerPixel = [this] (const Piece& of) {
+    Eigen::Vector2f sum = Eigen::Vector2f::Zero ();
+    for (const int label : of.patches)
+      for (const pcl::index_t index : patches_.patches[label - 1].pixels)
+        sum += Eigen::Vector2f (static_cast<float> (index % cloud_.width), static_cast<float> (index / cloud_.width)) /
+               static_cast<float> (of.pixels);
+    return (sum);
+  };
+  const Eigen::Vector3f a = centroid (object), b = centroid (piece);
+  if ((a - b).norm () > 0.3f || chiSquare (object.histogram, piece.histogram) > 0.6f)
+    return (false);
+  const Eigen::Vector2f from = centerPixel (object), to = centerPixel (piece);
+  const int steps = static_cast<int> ((to - from).norm ());
+  int between = 0, nearer = 0;
+  for (int step = 0; step <= steps; ++step)
+  {
+    const float share = static_cast<float> (step) / static_cast<float> (std::max (1, steps));
+    const Eigen::Vector2f at = from + share * (to - from);
+    const int index = static_cast<int> (at.y () + 0.5f) * cloud_.width + static_cast<int> (at.x () + 0.5f);
+    const int label = patches_.labels[index];
+    if (label && (object.member[label] || piece.member[label]))
+      continue;
+    ++between;
+    // Linear in the inverse depth, as a plane through both would be.
+    const float depth = 1.0f / ((1.0f - share) / a.z () + share / b.z ());
+    nearer += cloud_.valid[index] && cloud_.z[index] < depth - 0.005f;
+  }
+  if (between == 0 || nearer < 0.8f * between)
+    return (false);
+  std::vector<Eigen::Vector3f> vertices = object.hull_vertices, points;
+  vertices.insert (vertices.end (), piece.hull_vertices.begin (), piece.hull_vertices.end ());
+  for (const Piece* of : {&object, &piece})
+    for (const int label : of->patches)
+      for (const Sample& sample : samples_[label])
+        points.push_back (sample.point);
+  return (compactness (points, computeVisibleHull (vertices)) <= 0.006f);
+}
+
+bool
+CompactClustering::joinPiece (Piece& object)
+{
+  // Neighbours first, then what lies behind a common neighbour.
+  std::set<int> seen;
+  std::vector<const Piece*> neighbors, beyond;
+  const auto collect = [&] (const std::map<int, PatchBorder>& borders, std::vector<const Piece*>& pieces) {
+    for (const auto& [label, border] : borders)
+    {
+      if (object.member[label] || seen.count (label) || (parameters_.stay_off_support && isSupport (label)))
+        continue;
+      const Piece& piece = pieceAt (label);
+      seen.insert (piece.patches.begin (), piece.patches.end ());
+      const bool overlaps = std::any_of (piece.patches.begin (), piece.patches.end (),
+                                         [&] (int patch) { return (object.member[patch]); });
+      if (!overlaps)
+        pieces.push_back (&piece);
+    }
+  };
+  collect (object.borders, neighbors);
+  const auto join = [&] (const Piece& piece) {
+    for (const int label : piece.patches)
+      addPatch (label, object);
+    return (true);
+  };
+  for (const Piece* piece : neighbors)
+    if (isFragmentOf (object, *piece) || (parameters_.join_hollows && isHollowOf (object, *piece)) ||
+        (parameters_.join_enclosed && isEnclosedBy (object, *piece)))
+      return (join (*piece));
+  if (!parameters_.join_occluded)
+    return (false);
+  for (const Piece* piece : neighbors)
+    collect (piece->borders, beyond);
+  for (const Piece* piece : beyond)
+    if (isBehindSameOccluder (object, *piece))
+      return (join (*piece));
   return (false);
 }
 
@@ -294,13 +527,13 @@ CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
   const std::vector<int> initial = initialPatches (point);
   if (initial.empty ())
     return (false);
-  Object object;
-  object.member.assign (patches_.patches.size () + 1, 0);
+  Piece object;
   for (const int label : initial)
     addPatch (label, object);
-  do
-    growOverBorders (object, segment);
-  while (parameters_.join_occluded && joinOccluded (object, segment));
+  growOverBorders (object, &segment.steps);
+  while (joinPiece (object))
+  {
+  }
 
   int longest = 0;
   for (const GrowthStep& step : segment.steps)
@@ -313,13 +546,16 @@ CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
     }
   }
   segment.patches = object.patches;
+  std::vector<Eigen::Vector3f> points;
   for (const int label : object.patches)
   {
     const pcl::Indices& pixels = patches_.patches[label - 1].pixels;
     segment.indices.insert (segment.indices.end (), pixels.begin (), pixels.end ());
+    for (const Sample& sample : samples_[label])
+      points.push_back (sample.point);
   }
   std::sort (segment.indices.begin (), segment.indices.end ());
-  segment.compactness = compactness (object.samples, computeVisibleHull (object.hull_vertices));
+  segment.compactness = compactness (points, computeVisibleHull (object.hull_vertices));
   const PlanarPatch& first = patches_.patches[initial.front () - 1];
   segment.plane << first.normal, -first.normal.dot (first.centroid);
   return (true);

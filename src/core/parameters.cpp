@@ -161,8 +161,18 @@ makeTable ()
     .number ("minimum_convexity", &ClusteringParameters::minimum_convexity, -2, 2, "", "",
              "of the common border, -2 concave, 2 convex; -2: off")
     .toggle ("stay_off_support", &ClusteringParameters::stay_off_support, "", "patches of a supporting plane are not added")
+    .number ("color_convexity", &ClusteringParameters::color_convexity, 0, 2, "", "",
+             "how much more convexity differing colours ask for, and like colours spare")
+    .toggle ("recognize_hollows", &ClusteringParameters::recognize_hollows, "",
+             "patches that curve inwards together are one hollow, concave as their borders are")
+    .number ("absorb_size", &ClusteringParameters::absorb_size, 0, 1000000, "pixels", "",
+             "smaller pieces join the neighbour they are connected to most; 0: off")
+    .toggle ("join_hollows", &ClusteringParameters::join_hollows, "",
+             "join the inside of a hollow and the wall before it; off with -parts")
+    .toggle ("join_enclosed", &ClusteringParameters::join_enclosed, "",
+             "join a piece that an object surrounds; off with -parts")
     .toggle ("join_occluded", &ClusteringParameters::join_occluded, "",
-             "join pieces of one object that an occluder separates");
+             "join pieces of one object that an occluder separates; off with -parts");
 
   rowsOf (table, "segmentation", &P::segmentation)
     .toggle ("inhibition_of_return", &SegmentationParameters::inhibition_of_return, "",

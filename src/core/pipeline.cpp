@@ -97,7 +97,10 @@ AttentionParameters::paper ()
   parameters.clustering.minimum_connection = 0.0f;
   parameters.clustering.minimum_convexity = -2.0f;
   parameters.clustering.stay_off_support = false;
-  parameters.clustering.join_occluded = false;
+  parameters.clustering.color_convexity = 0.0f;
+  parameters.clustering.recognize_hollows = false;
+  parameters.clustering.absorb_size = 0;
+  parameters.clustering.visiblePieces ();
   parameters.segmentation.inhibition_of_return = false;
   parameters.segmentation.coverage = false;
   parameters.segmentation.minimum_segment_size = 1;
@@ -254,7 +257,7 @@ AttentionPipeline::clustering ()
       support_patches[k + 1] = 2 * static_cast<std::size_t> (on_support) > pixels.size ();
     }
     const StageTimer timer (times_.segmentation);
-    clustering_ = std::make_unique<CompactClustering> (cloud_, *patches_, *patch_graph_, support_patches,
+    clustering_ = std::make_unique<CompactClustering> (cloud_, *normals_, *patches_, *patch_graph_, support_patches,
                                                        parameters_.clustering);
   }
   return (*clustering_);

@@ -74,8 +74,7 @@ computeVisibleHull (const std::vector<Eigen::Vector3f>& points)
       face.normal = -face.normal;
       face.offset = -face.offset;
     }
-    if (face.offset > 0.0f)
-      hull.faces.push_back (face);
+    (face.offset > 0.0f ? hull.faces : hull.hidden_faces).push_back (face);
   }
   return (hull);
 }
@@ -104,25 +103,43 @@ distanceToTriangle (const Eigen::Vector3f& point, const VisibleHull::Face& face)
 }
 
 float
-distanceToVisibleFaces (const Eigen::Vector3f& point, const VisibleHull& hull)
+distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Face>& faces)
 {
   float nearest = std::numeric_limits<float>::max ();
-  for (const VisibleHull::Face& face : hull.faces)
+  for (const VisibleHull::Face& face : faces)
     // The plane is never farther than the triangle on it.
     if (std::abs (face.normal.dot (point) + face.offset) < nearest)
       nearest = std::min (nearest, distanceToTriangle (point, face));
-  return (hull.faces.empty () ? 0.0f : nearest);
+  return (faces.empty () ? 0.0f : nearest);
 }
 
+namespace
+{
+
 float
-compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull)
+meanDistance (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull,
+              const std::vector<VisibleHull::Face>& faces)
 {
   if (points.empty () || hull.dimension < 3)
     return (0.0f);
   double sum = 0.0;
   for (const Eigen::Vector3f& point : points)
-    sum += distanceToVisibleFaces (point, hull);
+    sum += distanceToFaces (point, faces);
   return (static_cast<float> (sum / static_cast<double> (points.size ())));
+}
+
+} // namespace
+
+float
+compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull)
+{
+  return (meanDistance (points, hull, hull.faces));
+}
+
+float
+hollowCompactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull)
+{
+  return (meanDistance (points, hull, hull.hidden_faces));
 }
 
 } // namespace pcl_attention

@@ -33,11 +33,13 @@ public:
     std::filesystem::remove_all (path_, ignored);
   }
   TemporaryFolder (const TemporaryFolder&) = delete;
-  TemporaryFolder&
-  operator= (const TemporaryFolder&) = delete;
+  TemporaryFolder& operator= (const TemporaryFolder&) = delete;
 
   std::string
-  operator/ (const std::string& name) const { return ((path_ / name).string ()); }
+  operator/ (const std::string& name) const
+  {
+    return ((path_ / name).string ());
+  }
 
 private:
   std::filesystem::path path_;
@@ -70,7 +72,8 @@ namesIn (const std::string& path)
 }
 
 /** \brief What a camera of focal length f sees of a wall at a depth, in its own frame. */
-template <typename PointT> pcl::PointCloud<PointT>
+template <typename PointT>
+pcl::PointCloud<PointT>
 wallBefore (int width, int height, float depth = 1.0f, float f = 100.0f)
 {
   pcl::PointCloud<PointT> cloud (width, height);

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <fcntl.h>
+#include <functional>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -91,7 +92,9 @@ TEST (OutputFolder, refusesWhatIsNoFolder)
   for (const std::string name : {"", ".", "..", "a/b"})
     EXPECT_NE (errorOf ([&] { OutputFolder (folder / "", name); }), "") << name;
   EXPECT_EQ (errorOf ([&] { OutputFolder::prepareParent (folder / "file"); }).find (folder / "file: cannot be"), 0u);
-  EXPECT_EQ (errorOf ([&] { OutputFolder::prepareParent (folder / "file/below"); }).find (folder / "file/below: cannot be"), 0u);
+  EXPECT_EQ (
+      errorOf ([&] { OutputFolder::prepareParent (folder / "file/below"); }).find (folder / "file/below: cannot be"),
+      0u);
   EXPECT_NE (errorOf ([&] { OutputFolder::prepareParent ("/proc/nothing"); }), "");
   EXPECT_EQ (test::readText (folder / "file"), "text");
 }
@@ -116,8 +119,7 @@ TEST (OutputFolder, removesWhatKilledRunsHaveLeft)
 TEST (OutputFolder, isOldOrNewWhenTheProcessIsKilled)
 {
   const test::TemporaryFolder folder;
-  const auto writeGeneration = [&] (int generation)
-  {
+  const auto writeGeneration = [&] (int generation) {
     OutputFolder output (folder / "", "scene");
     for (const char* name : {"first", "second", "third"})
       output.write (name, std::to_string (generation));

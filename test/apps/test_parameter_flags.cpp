@@ -69,7 +69,8 @@ TEST (ParameterFlagsDeathTest, badOnesEndTheProgramWithOneLine)
   EXPECT_EXIT (parametersOf ({"-levels"}), exits, "^program: .*levels.*\n$");
   EXPECT_EXIT (parametersOf ({"-level", "3"}), exits, "^program: .*level.*\n$");
   EXPECT_EXIT (parametersOf ({"-levels", "3", "-levels", "4"}), exits, "^program: .*levels.*\n$");
-  EXPECT_EXIT (parametersOf ({"-coverage", "maybe"}), exits, "^program: -coverage is 'maybe', but must be one of off on.*\n$");
+  EXPECT_EXIT (parametersOf ({"-coverage", "maybe"}), exits,
+               "^program: -coverage is 'maybe', but must be one of off on.*\n$");
   EXPECT_EXIT (parametersOf ({"-preset", "best"}), exits, "^program: preset is 'best', .*default paper.*\n$");
   EXPECT_EXIT (parametersOf ({"-preset", ""}), exits, "^program: .*preset.*\n$");
   EXPECT_EXIT (parametersOf ({"-parameters", "/nowhere/p.json"}), exits, "^program: /nowhere/p.json: .*\n$");

@@ -75,8 +75,10 @@ TEST (ParameterJson, namesTheSourceAndTheKeyOfAnError)
   EXPECT_EQ (errorOf (Json{{"levels", nullptr}}), "file.json: levels is null, but must be a number");
   EXPECT_EQ (errorOf (Json{{"coverage", 1}}), "file.json: coverage is 1, but must be true or false");
   EXPECT_EQ (errorOf (Json{{"plane_model", true}}), "file.json: plane_model is true, but must be a string");
-  EXPECT_EQ (errorOf (Json{{"preset", "best"}}), "file.json: preset is \"best\", but must be one of \"default\" \"paper\"");
-  EXPECT_EQ (errorOf (Json{{"pixel_threshold", 0.5}, {"levels", 99}}).find ("file.json: levels is '99', but must be"), 0u);
+  EXPECT_EQ (errorOf (Json{{"preset", "best"}}),
+             "file.json: preset is \"best\", but must be one of \"default\" \"paper\"");
+  EXPECT_EQ (errorOf (Json{{"pixel_threshold", 0.5}, {"levels", 99}}).find ("file.json: levels is '99', but must be"),
+             0u);
   EXPECT_EQ (errorOf (Json{{"levels", 2.5}}).find ("file.json: levels is '2.5', but must be a whole number"), 0u);
   EXPECT_EQ (errorOf (Json{{"levels", 2}, {"coverage", false}, {"plane_model", "initial"}}), "");
 }

@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include <memory>
+
 namespace pcl_attention
 {
 
@@ -37,8 +39,18 @@ struct ClusteringParameters
   int compactness_samples{100};       /**< points of a patch that kappa is the mean of, at most */
   float minimum_connection{0.5f};     /**< share of the common border that is connected in 3D, 0..1; 0: off */
   float minimum_convexity{-0.2f};     /**< of the common border, -2 (concave) .. 2; -2: off */
+  float color_convexity{0.3f};        /**< how much more convexity differing colours ask for, and like colours spare */
   bool stay_off_support{true};        /**< patches of a supporting plane are not added */
+  bool recognize_hollows{true};       /**< patches that curve inwards together are the inside of one hollow, concave as their
+                                        borders are */
+  int absorb_size{150};               /**< smaller pieces join the neighbour they are connected to most, pixels; 0: off */
+  bool join_hollows{true};            /**< join the inside of a hollow and the wall before it; off with -parts */
+  bool join_enclosed{true};           /**< join a piece that an object surrounds; off with -parts */
   bool join_occluded{true};           /**< join pieces of one object that an occluder separates; off with -parts */
+
+  /** \brief Switch off what joins visible pieces into whole objects (`-parts`). */
+  void
+  visiblePieces () { join_hollows = join_enclosed = join_occluded = false; }
 };
 
 /** \brief What decided about a candidate patch. */
@@ -95,8 +107,10 @@ class PCL_ATTENTION_EXPORTS CompactClustering
 {
 public:
   /** \param[in] support_patches 1 at [label] for patches that belong to a supporting plane; may be empty */
-  CompactClustering (const OrganizedCloud& cloud, const PlanarPatches& patches, const PatchGraph& graph,
-                     const std::vector<std::uint8_t>& support_patches, const ClusteringParameters& parameters);
+  CompactClustering (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
+                     const PatchGraph& graph, const std::vector<std::uint8_t>& support_patches,
+                     const ClusteringParameters& parameters);
+  ~CompactClustering ();
 
   /** \brief Segment the object at an attention point (paper IV-B).
     * \return false when there is no patch at the point and none within the initial radius */
@@ -104,50 +118,85 @@ public:
   grow (const AttentionPoint& point, AttentionSegment& segment);
 
 private:
-  struct Object;
+  /** \brief A sample of a patch's points. */
+  struct Sample
+  {
+    Eigen::Vector3f point, normal;
+    float weight; /**< pixels it stands for */
+  };
+
+  struct Piece;
 
   std::vector<int>
   initialPatches (const AttentionPoint& point) const;
 
-  void
-  addPatch (int label, Object& object);
-
-  /** \brief Try every neighbour, the longest connected border first, until none can be added. */
-  void
-  growOverBorders (Object& object, AttentionSegment& segment);
-
-  /** \brief Add the first piece behind an occluder that fits.
-    * \return false when there is none */
   bool
-  joinOccluded (Object& object, AttentionSegment& segment);
+  isSupport (int label) const { return (!support_patches_.empty () && support_patches_[label]); }
+
+  void
+  addPatch (int label, Piece& piece);
+
+  /** \brief Try every neighbour, the longest connected border first, until none can be added.
+    * \param[out] steps what was tried; may be null */
+  void
+  growOverBorders (Piece& piece, std::vector<GrowthStep>* steps);
 
   /** \brief Ask all constraints about a patch.
-    * \param[in] border from the object to the patch */
+    * \param[in] border from the piece to the patch */
   GrowthStep
-  tryPatch (int label, const PatchBorder& border, Object& object);
+  tryPatch (int label, const PatchBorder& border, Piece& piece);
 
-  /** \brief kappa of the object with one more patch (paper eq. 13). */
+  /** \brief kappa of the piece with one more patch (paper eq. 13), to the hidden faces if both are hollow. */
   float
-  compactnessWith (int label, const Object& object);
+  compactnessWith (int label, const Piece& piece, bool hollow);
 
   /** \brief CS_in and CS_out (paper eq. 11 and 12). */
   std::pair<float, float>
-  colorDistances (int label, Object& object) const;
+  colorDistances (int label, Piece& piece) const;
 
-  /** \brief Colours outside the object's mask enlarged to twice its area (paper IV-B.1). */
+  /** \brief Colours outside the piece's mask enlarged to twice its area (paper IV-B.1). */
   ColorHistogram
-  notObject (const Object& object) const;
+  notObject (const Piece& piece) const;
+
+  /** \brief Mean of n . (c - p) / |c - p| over the points p, c their centroid: > 0 for the inside of a hollow, < 0 for an
+    * outside, about 0 for a plane. */
+  float
+  hollowness (const Piece& piece) const;
+
+  /** \brief What grows from a patch on its own. */
+  const Piece&
+  pieceAt (int label);
+
+  /** \brief Border of a piece to all patches of another that it does not have itself. */
+  PatchBorder
+  borderBetween (const Piece& piece, const Piece& other) const;
+
+  /** \brief Join the first neighbouring piece that belongs to the object although it is not connected over a border that the
+    * constraints allow.
+    * \return false when there is none */
+  bool
+  joinPiece (Piece& object);
+  bool
+  isFragmentOf (const Piece& object, const Piece& piece);
+  bool
+  isHollowOf (const Piece& object, const Piece& piece);
+  bool
+  isEnclosedBy (const Piece& object, const Piece& piece) const;
+  bool
+  isBehindSameOccluder (const Piece& object, const Piece& piece);
 
   const std::vector<Eigen::Vector3f>&
   hullVertices (int label);
 
   const OrganizedCloud& cloud_;
+  const NormalImage& normals_;
   const PlanarPatches& patches_;
   const PatchGraph& graph_;
   const std::vector<std::uint8_t> support_patches_;
   const ClusteringParameters parameters_;
-  std::vector<std::vector<Eigen::Vector3f>> samples_;       /**< of label k at [k] */
+  std::vector<std::vector<Sample>> samples_;                /**< of label k at [k] */
   std::vector<std::vector<Eigen::Vector3f>> hull_vertices_; /**< of label k at [k]; empty until asked for */
+  std::vector<std::unique_ptr<Piece>> pieces_;              /**< from label k at [k]; null until asked for */
   std::vector<ColorHistogram> histograms_;                  /**< of label k at [k]; empty without colour */
   std::vector<std::uint8_t> color_bins_;                    /**< of every pixel; empty without colour */
 };

@@ -22,7 +22,8 @@ struct VisibleHull
   };
 
   std::vector<Eigen::Vector3f> vertices; /**< of the whole hull */
-  std::vector<Face> faces;               /**< those that face the viewpoint only */
+  std::vector<Face> faces;               /**< those that face the viewpoint */
+  std::vector<Face> hidden_faces;        /**< the others: a hollow seen from its open side lies on these */
   int dimension{0};                      /**< 3: a solid; 2: the points lie on a plane; 1 or less: on a line or in one point */
 };
 
@@ -36,13 +37,17 @@ computeVisibleHull (const std::vector<Eigen::Vector3f>& points);
 PCL_ATTENTION_EXPORTS float
 distanceToTriangle (const Eigen::Vector3f& point, const VisibleHull::Face& face);
 
-/** \brief Shortest distance from a point to any visible face, metres (paper eq. 14); 0 when no face is visible. */
+/** \brief Shortest distance from a point to any of the faces, metres (paper eq. 14, with the visible faces); 0 without a face. */
 PCL_ATTENTION_EXPORTS float
-distanceToVisibleFaces (const Eigen::Vector3f& point, const VisibleHull& hull);
+distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Face>& faces);
 
 /** \brief Compactness kappa, the mean distance of the object's points to the visible faces, metres (paper eq. 13).
   * 0 for a hull of dimension under 3, whose points lie on it. */
 PCL_ATTENTION_EXPORTS float
 compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull);
+
+/** \brief The same to the hidden faces: small for the inside of a bowl, whose visible faces are its empty mouth. */
+PCL_ATTENTION_EXPORTS float
+hollowCompactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull);
 
 } // namespace pcl_attention
