@@ -171,7 +171,7 @@ writeParameters (const std::string& path, const NamedParameters& parameters)
 void
 applyParts (AttentionParameters& parameters)
 {
-  parameters.clustering.join_occluded = false;
+  parameters.clustering.visiblePieces ();
 }
 
 } // namespace pcl_attention

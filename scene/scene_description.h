@@ -62,7 +62,7 @@ struct SceneMaterial
 /** \brief Shapes, centred at the origin of the object's frame, their axis along z. */
 enum class SceneShape
 {
-  plane,    /**< \brief the infinite plane z = 0, seen from both sides; has no size */
+  plane,    /**< \brief the plane z = 0 out to 1 km, seen from both sides; has no size */
   box,      /**< \brief size = edge lengths */
   cylinder, /**< \brief size = diameter, diameter, length */
   sphere,   /**< \brief size = diameter, three times */

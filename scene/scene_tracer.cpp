@@ -134,7 +134,7 @@ intersect (const SceneObject& object, LocalRay& ray)
   switch (object.shape)
   {
   case SceneShape::plane:
-    ray.ring (0.0, 0.0, std::numeric_limits<double>::max ());
+    ray.ring (0.0, 0.0, 1e3); // far enough for infinite, and its texture stays within integers
     break;
   case SceneShape::box:
     ray.box (-half, half);

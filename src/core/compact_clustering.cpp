@@ -249,6 +249,19 @@ CompactClustering::colorDistances (int label, Piece& piece) const
   return {chiSquare (piece.histogram, histograms_[label]), chiSquare (piece.surroundings, histograms_[label])};
 }
 
+float
+CompactClustering::borderConvexity (int label, const PatchBorder& border, const Piece& piece) const
+{
+  constexpr int certain_pairs = 10;
+  PatchBorder certain;
+  if (static_cast<int> (patches_.patches[label - 1].pixels.size ()) >= parameters_.absorb_size)
+    for (const int neighbor : graph_.neighbors[label])
+      if (piece.member[neighbor] &&
+          static_cast<int> (patches_.patches[neighbor - 1].pixels.size ()) >= parameters_.absorb_size)
+        certain += graph_.border (neighbor, label);
+  return (certain.convexity_pairs >= certain_pairs ? certain.convexity () : border.convexity ());
+}
+
 GrowthStep
 CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece)
 {
@@ -292,8 +305,9 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece)
     else if (!color_bins_.empty ())
       limit += parameters_.color_convexity *
                std::clamp ((chiSquare (piece.histogram, histograms_[label]) - 0.5f) / 0.5f, -1.0f, 1.0f);
-    if (border.convexity () < limit)
-      return (refuse (GrowthConstraint::convexity, border.convexity (), limit));
+    const float convexity = borderConvexity (label, border, piece);
+    if (convexity < limit)
+      return (refuse (GrowthConstraint::convexity, convexity, limit));
   }
   if (parameters_.color_constraint != ColorConstraint::off && !color_bins_.empty ())
   {
@@ -420,6 +434,22 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
 }
 
 bool
+CompactClustering::isFloorOf (const Piece& object, const Piece& piece) const
+{
+  constexpr float hollow = 0.15f, outside = -0.2f;
+  const bool object_is_hollow = object.hollowness > hollow;
+  const Piece& inside = object_is_hollow ? object : piece;
+  const Piece& floor = object_is_hollow ? piece : object;
+  if (inside.hollowness <= hollow || floor.hollowness < outside)
+    return (false);
+  // What lies in a hollow hides nothing.
+  int before = 0;
+  for (const auto& border : floor.borders)
+    before += border.second.first_in_front;
+  return (before <= 0.05f * floor.perimeter && borderBetween (inside, floor).connected >= 0.25f * floor.perimeter);
+}
+
+bool
 CompactClustering::isEnclosedBy (const Piece& object, const Piece& piece) const
 {
   const PatchBorder border = borderBetween (object, piece);
@@ -462,12 +492,12 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
     const Eigen::Vector2f at = from + share * (to - from);
     const int index = static_cast<int> (at.y () + 0.5f) * cloud_.width + static_cast<int> (at.x () + 0.5f);
     const int label = patches_.labels[index];
-    if (label && (object.member[label] || piece.member[label]))
+    if (!cloud_.valid[index] || (label && (object.member[label] || piece.member[label])))
       continue;
     ++between;
     // Linear in the inverse depth, as a plane through both would be.
     const float depth = 1.0f / ((1.0f - share) / a.z () + share / b.z ());
-    nearer += cloud_.valid[index] && cloud_.z[index] < depth - 0.005f;
+    nearer += cloud_.z[index] < depth - 0.005f;
   }
   if (between == 0 || nearer < 0.8f * between)
     return (false);
@@ -506,7 +536,7 @@ CompactClustering::joinPiece (Piece& object)
     return (true);
   };
   for (const Piece* piece : neighbors)
-    if (isFragmentOf (object, *piece) || (parameters_.join_hollows && isHollowOf (object, *piece)) ||
+    if (isFragmentOf (object, *piece) || (parameters_.join_hollows && (isFloorOf (object, *piece) || isHollowOf (object, *piece))) ||
         (parameters_.join_enclosed && isEnclosedBy (object, *piece)))
       return (join (*piece));
   if (!parameters_.join_occluded)

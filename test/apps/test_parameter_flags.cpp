@@ -51,6 +51,7 @@ TEST (ParameterFlags, precedenceIsPresetThenFileThenFlags)
   EXPECT_EQ (parameters.values.saliency.levels, 2);
   EXPECT_EQ (parameters.values.saliency.blur_radius, 9);
   EXPECT_FALSE (parameters.values.clustering.join_occluded);
+  EXPECT_FALSE (parameters.values.clustering.join_hollows);
   EXPECT_TRUE (parametersOf ({"-parts", "-join_occluded", "on"}).values.clustering.join_occluded);
   EXPECT_FALSE (parametersOf ({"-all_points"}).values.segmentation.inhibition_of_return);
 }

@@ -223,7 +223,7 @@ TEST_F (SceneIo, keepsASensorPoseThatFits)
   for (auto& point : cloud)
     point.getVector3fMap () = (turn.toRotationMatrix () * point.getVector3fMap () + shift).eval ();
   cloud.sensor_orientation_ = turn;
-  cloud.sensor_origin_ << shift, 0.0f;
+  cloud.sensor_origin_ << shift.x (), shift.y (), shift.z (), 0.0f;
   const Scene scene = roundTrip (cloud);
   EXPECT_TRUE (scene.notes.empty ());
   EXPECT_TRUE (scene.cloud->sensor_orientation_.isApprox (turn, 1e-4f));
@@ -259,7 +259,7 @@ TEST_F (SceneIo, mendsASensorPoseThatCannotHaveSeenThePoints)
 TEST_F (SceneIo, refusesPointsBehindASensorWhoseTruePoseIsNotKnown)
 {
   auto cloud = coloredWall ();
-  const Eigen::Quaternionf turn (Eigen::AngleAxisf (0.5f * static_cast<float> (M_PI), Eigen::Vector3f::UnitX ()));
+  const Eigen::Quaternionf turn (Eigen::AngleAxisf (0.5f * static_cast<float> (M_PI), Eigen::Vector3f::UnitZ ()));
   for (auto& point : cloud)
     point.getVector3fMap () = (turn.toRotationMatrix () * point.getVector3fMap () - Eigen::Vector3f (0, 0, 3)).eval ();
   pcl::io::savePCDFileBinary (file_, cloud);

@@ -7,6 +7,7 @@
 #include <pcl/io/pcd_io.h>
 
 #include <limits>
+#include <locale>
 
 using namespace pcl_attention;
 using Json = nlohmann::ordered_json;
@@ -60,6 +61,40 @@ TEST_F (SegmentWriter, csvHasOneRowAPoint)
   EXPECT_NE (csv.find ("\n2,16,10,"), std::string::npos);
   EXPECT_NE (csv.find (",0.1,coverage,100\n"), std::string::npos);
   EXPECT_EQ (attentionPointsCsv (scene_, {}), "rank,column,row,x,y,z,saliency,kind,mask_points\n");
+}
+
+/** \brief Numbers as they are written in many places of the world. */
+struct DecimalComma : std::numpunct<char>
+{
+  char
+  do_decimal_point () const override
+  {
+    return (',');
+  }
+  char
+  do_thousands_sep () const override
+  {
+    return ('.');
+  }
+  std::string
+  do_grouping () const override
+  {
+    return ("\3");
+  }
+};
+
+TEST_F (SegmentWriter, doesNotDependOnTheLocale)
+{
+  const NamedParameters parameters;
+  const auto all = [&] {
+    return (attentionPointsCsv (scene_, result_.segments) + segmentsJson (result_) +
+            summaryJson (scene_, result_, parameters));
+  };
+  const std::string expected = all ();
+  const std::locale before = std::locale::global (std::locale (std::locale::classic (), new DecimalComma));
+  const std::string text = all ();
+  std::locale::global (before);
+  EXPECT_EQ (text, expected);
 }
 
 TEST_F (SegmentWriter, segmentsJsonHoldsEveryFieldOfTheContract)
@@ -127,7 +162,7 @@ TEST_F (SegmentWriter, labelsKeepTheCloudAndItsPose)
     }
     pcl::PCLPointCloud2 blob;
     ASSERT_EQ (pcl::io::loadPCDFile (folder / "scene/labels.pcd", blob), 0);
-    EXPECT_EQ (pcl::getFieldIndex (blob, "rgb") >= 0, has_color);
+    EXPECT_EQ (pcl::getFieldIndex (blob, "rgba") >= 0, has_color);
     pcl::PointCloud<pcl::PointXYZL> cloud;
     ASSERT_EQ (pcl::io::loadPCDFile (folder / "scene/labels.pcd", cloud), 0);
     EXPECT_EQ (cloud.width, 40u);

@@ -5,6 +5,19 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <ostream>
+
+namespace pcl_attention
+{
+
+/** \brief For GoogleTest's messages. */
+void
+PrintTo (SceneKind kind, std::ostream* stream)
+{
+  *stream << sceneKindName (kind);
+}
+
+} // namespace pcl_attention
 
 using namespace pcl_attention;
 using Eigen::Vector3d;

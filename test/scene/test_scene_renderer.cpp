@@ -3,7 +3,6 @@
 #include "scene_renderer.h"
 
 #include <gtest/gtest.h>
-#include <pcl/common/transforms.h>
 #include <pcl/console/print.h>
 
 #include <cstring>

@@ -146,6 +146,11 @@ private:
   GrowthStep
   tryPatch (int label, const PatchBorder& border, Piece& piece);
 
+  /** \brief Convexity of a patch's border to a piece, from the patches that are no fragments where there are such: a fragment in a
+    * crease has normals of both sides and says nothing about it. */
+  float
+  borderConvexity (int label, const PatchBorder& border, const Piece& piece) const;
+
   /** \brief kappa of the piece with one more patch (paper eq. 13), to the hidden faces if both are hollow. */
   float
   compactnessWith (int label, const Piece& piece, bool hollow);
@@ -178,6 +183,8 @@ private:
   joinPiece (Piece& object);
   bool
   isFragmentOf (const Piece& object, const Piece& piece);
+  bool
+  isFloorOf (const Piece& object, const Piece& piece) const;
   bool
   isHollowOf (const Piece& object, const Piece& piece);
   bool

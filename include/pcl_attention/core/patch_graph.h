@@ -19,7 +19,7 @@ struct PatchGraphParameters
 };
 
 /** \brief What is known of the border two patches (or groups of patches) share. Sums, so that borders of groups add up. */
-struct PatchBorder
+struct PCL_ATTENTION_EXPORTS PatchBorder
 {
   int pairs{0};             /**< pixel pairs across the border */
   int connected{0};         /**< of them connected in 3D */
@@ -44,7 +44,7 @@ struct PatchBorder
 };
 
 /** \brief Which patches touch in the image, and how. Labels start at 1. */
-struct PatchGraph
+struct PCL_ATTENTION_EXPORTS PatchGraph
 {
   std::map<std::pair<int, int>, PatchBorder> borders; /**< first label < second label */
   std::vector<std::vector<int>> neighbors;            /**< of label k at [k], ascending; [0] is empty */

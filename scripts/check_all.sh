@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# The long checks: what .ci/run has no time for. One line a check at the end; fails if one of them failed.
+#
+# Usage: scripts/check_all.sh [CHECK...]
+# CHECK: release static clang debug asan tsan coverage scripts; without one, all of them in this order.
+set -euo pipefail
+
+# shellcheck source=scripts/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+build_and_test() { # PRESET [CMAKE_ARGUMENT...]
+  configure "$@" && cmake --build --preset "$1" && ctest --preset "$1" --parallel 2 --no-tests=error
+}
+
+# The presets' build folders are used for their own settings only: variations go into folders of their own.
+build_and_test_in() { # FOLDER CMAKE_ARGUMENT...
+  local folder=build/$1
+  shift
+  configure release -B "$folder" "$@" && cmake --build "$folder" --parallel 2 &&
+    ctest --test-dir "$folder" --parallel 2 --no-tests=error --output-on-failure
+}
+
+check() {
+  case "$1" in
+    release | debug | asan) build_and_test "$1" ;;
+    tsan)
+      # Debian's OpenMP run-time is not instrumented itself; its archer tool tells the sanitizer what it synchronises.
+      TSAN_OPTIONS="ignore_noninstrumented_modules=1 ${TSAN_OPTIONS:-}" build_and_test tsan
+      ;;
+    static) build_and_test_in static -D BUILD_SHARED_LIBS=OFF ;;
+    clang) build_and_test_in clang -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ ;;
+    coverage)
+      build_and_test coverage &&
+        gcovr --root . --filter src/ --filter include/ --exclude-throw-branches --print-summary \
+          --html-details build/coverage/report.html build/coverage
+      ;;
+    scripts) shellcheck --external-sources .ci/run scripts/*.sh ;;
+    *)
+      echo "check_all.sh: no check '$1'" >&2
+      return 2
+      ;;
+  esac
+}
+
+if [[ ${1:-} == -* ]]; then
+  print_usage "scripts/check_all.sh"
+  exit 0
+fi
+scripts/install_dependencies.sh build test checks
+
+results=()
+failed=0
+for name in "${@:-release}"; do
+  started=$SECONDS
+  say "Check $name"
+  # In a subshell of its own, so that set -e stays in force inside it.
+  result=passed
+  check "$name" || result=failed
+  [[ $result == passed ]] || failed=1
+  results+=("$(printf '%-10s %s, %d s' "$name" "$result" $((SECONDS - started)))")
+done
+say "Summary"
+printf '%s\n' "${results[@]}"
+exit "$failed"

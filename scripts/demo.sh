@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Finds the objects of one scene. Installs what is missing, builds the programs and writes into build/demo.
+#
+# Usage: scripts/demo.sh [SCENE.pcd]
+# SCENE.pcd is an organized RGB-D cloud; without it a scene is rendered.
+set -euo pipefail
+
+scene=${1:-}
+if (($# > 1)) || [[ $scene == -* ]]; then
+  sed -n '2,5 s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  [[ $scene == -h || $scene == --help ]] && exit 0
+  exit 2
+fi
+if [[ -n $scene ]]; then
+  if [[ ! -f $scene || ! -r $scene ]]; then
+    echo "demo.sh: cannot read '$scene'" >&2
+    exit 1
+  fi
+  scene=$(realpath -- "$scene")
+fi
+
+# shellcheck source=scripts/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+scripts/install_dependencies.sh
+configure release
+say "Building the programs"
+cmake --build --preset release --target pcl_attention_make_scene pcl_attention_segment
+
+mkdir -p build/demo
+if [[ -z $scene ]]; then
+  say "Rendering a scene"
+  scene=$PWD/build/demo/scene.pcd
+  build/release/bin/pcl_attention_make_scene "$scene" -kind clutter -seed 1
+fi
+say "Finding its objects"
+build/release/bin/pcl_attention_segment "$scene" -output_dir build/demo
+
+stem=$(basename -- "$scene" .pcd)
+cat << END
+
+The picture to open:      $PWD/build/demo/$stem/overview.png
+Objects and their planes: $PWD/build/demo/$stem/segments.json
+The cloud with labels:    $PWD/build/demo/$stem/labels.pcd
+END
