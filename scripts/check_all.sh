@@ -20,6 +20,7 @@ build_and_test_in() { # FOLDER CMAKE_ARGUMENT...
     ctest --test-dir "$folder" --parallel 2 --no-tests=error --output-on-failure
 }
 
+# Called in a condition, where set -e does not reach: hence the &&.
 check() {
   case "$1" in
     release | debug | asan) build_and_test "$1" ;;
@@ -42,18 +43,15 @@ check() {
   esac
 }
 
-if [[ ${1:-} == -* ]]; then
-  print_usage "scripts/check_all.sh"
-  exit 0
-fi
+help_if_asked "$@"
 scripts/install_dependencies.sh build test checks
+(($#)) || set -- release static clang debug asan tsan coverage scripts
 
 results=()
 failed=0
-for name in "${@:-release}"; do
+for name in "$@"; do
   started=$SECONDS
   say "Check $name"
-  # In a subshell of its own, so that set -e stays in force inside it.
   result=passed
   check "$name" || result=failed
   [[ $result == passed ]] || failed=1

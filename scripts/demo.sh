@@ -5,30 +5,28 @@
 # SCENE.pcd is an organized RGB-D cloud; without it a scene is rendered.
 set -euo pipefail
 
-scene=${1:-}
-if (($# > 1)) || [[ $scene == -* ]]; then
-  sed -n '2,5 s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
-  [[ $scene == -h || $scene == --help ]] && exit 0
-  exit 2
-fi
-if [[ -n $scene ]]; then
-  if [[ ! -f $scene || ! -r $scene ]]; then
-    echo "demo.sh: cannot read '$scene'" >&2
-    exit 1
-  fi
-  scene=$(realpath -- "$scene")
-fi
+# Before the working directory changes.
+scene=${1:+$(realpath -- "$1")}
 
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+help_if_asked "$@"
+if (($# > 1)); then
+  print_usage >&2
+  exit 2
+fi
+if [[ -n $scene && ! (-f $scene && -r $scene) ]]; then
+  echo "demo.sh: cannot read '$scene'" >&2
+  exit 1
+fi
 scripts/install_dependencies.sh
 configure release
 say "Building the programs"
 cmake --build --preset release --target pcl_attention_make_scene pcl_attention_segment
 
-mkdir -p build/demo
 if [[ -z $scene ]]; then
   say "Rendering a scene"
+  mkdir -p build/demo
   scene=$PWD/build/demo/scene.pcd
   build/release/bin/pcl_attention_make_scene "$scene" -kind clutter -seed 1
 fi

@@ -13,10 +13,10 @@ build=(build-essential cmake ninja-build ccache pkg-config libpcl-dev libboost-p
 test=(xvfb xauth)
 checks=(clang libomp-dev llvm clang-format clang-tidy gcovr shellcheck)
 
+(($#)) || set -- build test
 wanted=()
-for group in "${@:-build test}"; do
+for group in "$@"; do
   case "$group" in
-    "build test") wanted+=("${build[@]}" "${test[@]}") ;;
     build) wanted+=("${build[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     checks) wanted+=("${checks[@]}") ;;

@@ -176,7 +176,9 @@ makeTable ()
 
   rowsOf (table, "segmentation", &P::segmentation)
     .toggle ("inhibition_of_return", &SegmentationParameters::inhibition_of_return, "",
-             "skip attention points that lie in an earlier segment")
+             "skip attention points that lie in an earlier segment or lead to one again")
+    .number ("fixation_margin", &SegmentationParameters::fixation_margin, 0, 50, "pixels", "",
+             "a fixation nearer than this to its segment's contour moves inside; 0: off")
     .toggle ("coverage", &SegmentationParameters::coverage, "", "unclaimed patches become attention points after all others")
     .number ("coverage_size", &SegmentationParameters::coverage_size, 1, 10000000, "pixels", "", "smaller patches do not")
     .number ("minimum_segment_size", &SegmentationParameters::minimum_segment_size, 1, 10000000, "pixels", "",

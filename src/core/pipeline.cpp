@@ -102,6 +102,7 @@ AttentionParameters::paper ()
   parameters.clustering.absorb_size = 0;
   parameters.clustering.visiblePieces ();
   parameters.segmentation.inhibition_of_return = false;
+  parameters.segmentation.fixation_margin = 0;
   parameters.segmentation.coverage = false;
   parameters.segmentation.minimum_segment_size = 1;
   return (parameters);
@@ -327,11 +328,13 @@ AttentionPipeline::next (AttentionSegment& segment)
     CompactClustering& grower = clustering ();
     const StageTimer timer (times_.segmentation);
     if (!grower.grow (point, segment) ||
-        static_cast<int> (segment.indices.size ()) < parameters_.segmentation.minimum_segment_size)
+        static_cast<int> (segment.indices.size ()) < parameters_.segmentation.minimum_segment_size ||
+        (parameters_.segmentation.inhibition_of_return && isDuplicate (segment)))
       continue;
     segment.rank = ++segments_found_;
     for (const pcl::index_t index : segment.indices)
       claimed_[index] = 1;
+    moveInside (segment);
     describe (segment);
     return (true);
   }
@@ -348,6 +351,62 @@ AttentionPipeline::segmentAt (const AttentionPoint& point, AttentionSegment& seg
     return (false);
   describe (segment);
   return (true);
+}
+
+bool
+AttentionPipeline::isDuplicate (const AttentionSegment& segment) const
+{
+  const auto claimed = std::count_if (segment.indices.begin (), segment.indices.end (),
+                                      [this] (pcl::index_t index) { return (claimed_[index]); });
+  return (2 * static_cast<std::size_t> (claimed) > segment.indices.size ());
+}
+
+void
+AttentionPipeline::moveInside (AttentionSegment& segment) const
+{
+  const int margin = parameters_.segmentation.fixation_margin;
+  if (margin == 0)
+    return;
+  const int reach = 4 * margin, around = reach + 2 * margin;
+  AttentionPoint& point = segment.attention_point;
+  Image<std::uint8_t> member (2 * around + 1, 2 * around + 1, 0);
+  for (const pcl::index_t index : segment.indices)
+  {
+    const int column = index % cloud_.width - point.column + around, row = index / cloud_.width - point.row + around;
+    if (member.contains (column, row))
+      member (column, row) = 1;
+  }
+  // Depth inside the segment, in pixels; beyond twice the margin deeper is no better.
+  const auto depth = [&] (int column, int row) {
+    for (int ring = 0; ring <= 2 * margin; ++ring)
+      for (int step = -ring; step <= ring; ++step)
+        for (const auto& [c, r] : {std::pair<int, int> (column + step, row - ring), {column + step, row + ring},
+                                   {column - ring, row + step}, {column + ring, row + step}})
+          if (!member.contains (c, r) || !member (c, r))
+            return (ring);
+    return (2 * margin);
+  };
+  if (depth (around, around) >= margin)
+    return;
+  float best_score = -1e9f;
+  Pixel best{around, around};
+  for (int row = around - reach; row <= around + reach; ++row)
+    for (int column = around - reach; column <= around + reach; ++column)
+    {
+      const float shift = std::hypot (static_cast<float> (column - around), static_cast<float> (row - around));
+      if (!member (column, row) || shift > static_cast<float> (reach))
+        continue;
+      const float score = 2.0f * static_cast<float> (depth (column, row)) - 0.3f * shift;
+      if (score > best_score)
+      {
+        best_score = score;
+        best = {column, row};
+      }
+    }
+  point.column += best.column - around;
+  point.row += best.row - around;
+  if (saliency_)
+    point.point_saliency = saliency_->saliency (point.column, point.row);
 }
 
 void

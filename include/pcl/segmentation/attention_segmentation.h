@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/segmentation/attention_segment.h>
-
-#include <pcl/PointIndices.h>
-#include <pcl/pcl_base.h>
-#include <pcl/point_types.h>
+#include <pcl/segmentation/attention_base.h>
 
 namespace pcl
 {
@@ -23,50 +19,36 @@ namespace pcl
   *
   * The cloud must be organized; points that are not finite are holes. Points without colour (pcl::PointXYZ) work: the colour
   * constraint is then off. The viewpoint is the cloud's sensor_origin_ and sensor_orientation_ (x right, y down, z forward).
-  * setIndices masks points; the results keep indices of the full cloud.
+  * setIndices masks points; the results keep indices of the full cloud. Normals, saliency, attention points and patches are
+  * computed, each unless the user brings it.
   *
   * Nothing throws: an error is reported by PCL_ERROR, the output is empty and the return value false. */
 template <typename PointT>
-class AttentionSegmentation : public PCLBase<PointT>
+class AttentionSegmentation : public AttentionBase<PointT>
 {
 public:
-  using PointCloud = pcl::PointCloud<PointT>;
   using Ptr = shared_ptr<AttentionSegmentation<PointT>>;
   using ConstPtr = shared_ptr<const AttentionSegmentation<PointT>>;
 
   /** \param[in] parameters of all stages; the default is the best setting known for every sensor */
-  explicit AttentionSegmentation (const pcl_attention::AttentionParameters& parameters = {}) : parameters_ (parameters) {}
+  explicit AttentionSegmentation (const pcl_attention::AttentionParameters& parameters = {}) { setParameters (parameters); }
 
-  /** \brief Set the cloud. Results of an earlier one are forgotten. */
-  void
-  setInputCloud (const typename PCLBase<PointT>::PointCloudConstPtr& cloud) override;
+  using AttentionBase<PointT>::setInputNormals;
+  using AttentionBase<PointT>::setSaliency;
+  using AttentionBase<PointT>::setPatches;
+  using AttentionBase<PointT>::setNumberOfThreads;
 
-  /** \brief Bring normals instead of having them estimated: one per point, unit length, NaN where not known; they are
-    * turned towards the viewpoint. Null goes back to estimating. */
-  void
-  setInputNormals (const pcl::PointCloud<pcl::Normal>::ConstPtr& normals);
-
-  using PCLBase<PointT>::setIndices;
-
-  void
-  setIndices (const IndicesPtr& indices) override;
-  void
-  setIndices (const IndicesConstPtr& indices) override;
-  void
-  setIndices (const PointIndicesConstPtr& indices) override;
-  void
-  setIndices (std::size_t row_start, std::size_t col_start, std::size_t nb_rows, std::size_t nb_cols) override;
+  /** \brief The user's points come first, in the given order; those in an earlier segment are skipped, and patches that none of
+    * them claims come after, unless \ref pcl_attention::SegmentationParameters switches that off. */
+  using AttentionBase<PointT>::setAttentionPoints;
+  using AttentionBase<PointT>::clearAttentionPoints;
 
   /** \brief Set the parameters of all stages. Checked when segmenting. */
   void
-  setParameters (const pcl_attention::AttentionParameters& parameters);
+  setParameters (const pcl_attention::AttentionParameters& parameters) { changeParameters () = parameters; }
 
   const pcl_attention::AttentionParameters&
-  getParameters () const { return (parameters_); }
-
-  /** \brief Number of threads; 0 takes all processors. The result does not depend on it. */
-  void
-  setNumberOfThreads (unsigned int threads = 0) { threads_ = threads; }
+  getParameters () const { return (this->parameters ()); }
 
   /** \brief Segment every object, in order of attention.
     * \param[out] segments one per object
@@ -74,7 +56,7 @@ public:
   bool
   segment (std::vector<AttentionSegment>& segments);
 
-  /** \brief Segment the next object in order of attention; the first call after setInputCloud starts the frame.
+  /** \brief Segment the next object in order of attention; the first call after anything was set starts the frame.
     * \return false when there is none left, or on an error */
   bool
   segmentNext (AttentionSegment& segment);
@@ -88,33 +70,20 @@ public:
   std::vector<SupportingPlane>
   getSupportingPlanes ();
 
-  /** \brief The stages behind the segments: saliency, points, patches, graph and times. Null before a frame is started. */
+  /** \brief The stages behind the segments: saliency, points, patches, graph and times. Null before a frame is started. The
+    * user's own patches are numbered 1, 2, ... there, in ascending order of their labels. */
   pcl_attention::AttentionPipeline*
-  getPipeline () { return (started_ ? &pipeline_ : nullptr); }
+  getPipeline () { return (this->isStarted () ? &pipeline_ : nullptr); }
 
 protected:
-  using PCLBase<PointT>::input_;
-  using PCLBase<PointT>::indices_;
-  using PCLBase<PointT>::initCompute;
-  using PCLBase<PointT>::deinitCompute;
+  using AttentionBase<PointT>::input_;
+  using AttentionBase<PointT>::pipeline_;
+  using AttentionBase<PointT>::changeParameters;
+  using AttentionBase<PointT>::accept;
+  using AttentionBase<PointT>::run;
 
   std::string
-  getClassName () const { return ("AttentionSegmentation"); }
-
-private:
-  /** \brief Check the input and start the pipeline, unless this frame is already under way. */
-  bool
-  start ();
-
-  /** \brief Run work and turn an exception, as of a failed allocation, into an error and false. */
-  template <typename Work> bool
-  guarded (const char* method, const Work& work);
-
-  pcl_attention::AttentionParameters parameters_;
-  pcl::PointCloud<pcl::Normal>::ConstPtr normals_;
-  unsigned int threads_{1};
-  bool started_{false};
-  pcl_attention::AttentionPipeline pipeline_;
+  getClassName () const override { return ("AttentionSegmentation"); }
 };
 
 } // namespace pcl

@@ -35,7 +35,7 @@ struct ClusteringParameters
   InitialPatches initial_patches{InitialPatches::connected};
   int initial_radius{5};              /**< around the attention point, pixels */
   ColorConstraint color_constraint{ColorConstraint::off};
-  float compactness_threshold{0.01f}; /**< theta_com, metres */
+  float compactness_threshold{0.005f}; /**< theta_com, metres */
   int compactness_samples{100};       /**< points of a patch that kappa is the mean of, at most */
   float minimum_connection{0.5f};     /**< share of the common border that is connected in 3D, 0..1; 0: off */
   float minimum_convexity{-0.2f};     /**< of the common border, -2 (concave) .. 2; -2: off */

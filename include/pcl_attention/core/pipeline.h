@@ -15,7 +15,8 @@ namespace pcl_attention
 /** \brief Settings of the way through the stages. */
 struct SegmentationParameters
 {
-  bool inhibition_of_return{true}; /**< skip attention points that lie in an earlier segment */
+  bool inhibition_of_return{true}; /**< skip attention points that lie in an earlier segment or lead to one again */
+  int fixation_margin{4};          /**< a fixation nearer than this to its segment's contour moves inside, pixels; 0: off */
   bool coverage{true};             /**< every patch that no segment claims becomes an attention point, after all others */
   int coverage_size{150};          /**< smaller patches do not, pixels */
   int minimum_segment_size{50};    /**< smaller segments are no objects, pixels */
@@ -104,6 +105,14 @@ private:
   clustering ();
   bool
   nextPoint (AttentionPoint& point);
+  /** \brief Whether most of a segment was already found. */
+  bool
+  isDuplicate (const AttentionSegment& segment) const;
+
+  /** \brief Move a fixation on the edge of its segment inwards, where a robot's gripper or a person would look. */
+  void
+  moveInside (AttentionSegment& segment) const;
+
   void
   describe (AttentionSegment& segment);
 

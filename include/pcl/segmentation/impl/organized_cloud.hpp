@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_attention/core/attention_points.h>
 #include <pcl_attention/core/organized_cloud.h>
 
 #include <Eigen/Geometry>
-#include <pcl/console/print.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <type_traits>
+#include <vector>
+
+// The way between PCL's clouds and the flat arrays of the core. The checks return what is wrong and what to do about it, or an
+// empty text.
 
 namespace pcl_attention
 {
@@ -25,14 +31,111 @@ struct HasRgb<PointT, std::void_t<decltype (PointT::r), decltype (PointT::g), de
 /** \brief The largest image that is taken: 64 megapixels, so that row-major indices and sums stay far from overflow. */
 constexpr std::size_t most_pixels = std::size_t{1} << 26;
 
-/** \brief From the sensor frame to the cloud's. */
+/** \brief From the sensor frame to the cloud's. A quaternion of length zero, as of a cloud whose pose was cleared, turns
+  * nothing. */
 template <typename PointT> Eigen::Isometry3f
 sensorPose (const pcl::PointCloud<PointT>& cloud)
 {
   Eigen::Isometry3f pose = Eigen::Isometry3f::Identity ();
-  pose.linear () = cloud.sensor_orientation_.normalized ().toRotationMatrix ();
+  if (cloud.sensor_orientation_.norm () > 0.0f)
+    pose.linear () = cloud.sensor_orientation_.normalized ().toRotationMatrix ();
   pose.translation () = cloud.sensor_origin_.template head<3> ();
   return (pose);
+}
+
+template <typename CloudT> std::string
+sizeText (const CloudT& cloud)
+{
+  return (std::to_string (cloud.width) + " x " + std::to_string (cloud.height));
+}
+
+/** \param[in] cloud may be null */
+template <typename PointT> std::string
+checkCloud (const pcl::PointCloud<PointT>* cloud)
+{
+  if (!cloud)
+    return ("No input cloud: call setInputCloud first.");
+  if (cloud->empty ())
+    return ("The input cloud is empty.");
+  const std::string points = std::to_string (cloud->size ());
+  if (static_cast<std::size_t> (cloud->width) * cloud->height != cloud->size ())
+    return ("The input cloud has " + points + " points, but is said to be " + sizeText (*cloud) +
+            ": set width and height to what the points are.");
+  if (!cloud->isOrganized ())
+    return ("The input cloud is not organized (" + sizeText (*cloud) +
+            "): give it as the camera delivers it, one point a pixel with NaN for holes. Filters keep it so with "
+            "setKeepOrganized (true).");
+  if (cloud->size () > most_pixels)
+    return ("The input cloud has " + points + " points, more than the " + std::to_string (most_pixels) +
+            " this module takes.");
+  if (!cloud->sensor_orientation_.coeffs ().allFinite () || !cloud->sensor_origin_.template head<3> ().allFinite ())
+    return ("The input cloud's sensor_origin_ or sensor_orientation_ is not finite: set them to the viewpoint.");
+  return ("");
+}
+
+/** \param[in] indices may be null
+  * \param[in] count points of the cloud */
+inline std::string
+checkIndices (const pcl::Indices* indices, std::size_t count)
+{
+  if (indices)
+    for (const pcl::index_t index : *indices)
+      if (index < 0 || static_cast<std::size_t> (index) >= count)
+        return ("Index " + std::to_string (index) + " lies outside the input cloud of " + std::to_string (count) +
+                " points: call setIndices with indices of this cloud.");
+  return ("");
+}
+
+/** \param[in] normals may be null
+  * \param[in] count points of the cloud */
+inline std::string
+checkNormals (const pcl::PointCloud<pcl::Normal>* normals, std::size_t count)
+{
+  if (!normals || normals->size () == count)
+    return ("");
+  return (std::to_string (normals->size ()) + " normals for " + std::to_string (count) +
+          " points: give one per point, NaN where it is not known.");
+}
+
+/** \brief Check that there is a value for every pixel.
+  * \param[in] what "saliency map", say
+  * \param[in] image may be null */
+template <typename ValueT, typename PointT> std::string
+checkSize (const char* what, const pcl::PointCloud<ValueT>* image, const pcl::PointCloud<PointT>& cloud)
+{
+  if (!image || (image->width == cloud.width && image->height == cloud.height && image->size () == cloud.size ()))
+    return ("");
+  return (std::string ("The ") + what + " is " + sizeText (*image) + " with " + std::to_string (image->size ()) +
+          " values, but the input cloud is " + sizeText (cloud) + ": give one value per point, row by row.");
+}
+
+/** \param[in] saliency may be null; of the cloud's size */
+inline std::string
+checkSaliency (const pcl::PointCloud<pcl::Intensity>* saliency)
+{
+  if (saliency)
+    for (std::size_t index = 0; index < saliency->size (); ++index)
+    {
+      const float value = (*saliency)[index].intensity;
+      if (value < 0.0f || std::isinf (value))
+        return ("The saliency at column " + std::to_string (index % saliency->width) + ", row " +
+                std::to_string (index / saliency->width) + " is " + std::to_string (value) +
+                ": give finite values from 0 up, NaN where it is not known.");
+    }
+  return ("");
+}
+
+template <typename PointT> std::string
+checkPoint (const AttentionPoint& point, const pcl::PointCloud<PointT>& cloud)
+{
+  const std::string pixel = "(" + std::to_string (point.column) + ", " + std::to_string (point.row) + ")";
+  if (point.column < 0 || point.row < 0 || point.column >= static_cast<int> (cloud.width) ||
+      point.row >= static_cast<int> (cloud.height))
+    return ("The pixel " + pixel + " lies outside the input cloud of " + sizeText (cloud) +
+            " points: columns and rows count from 0.");
+  if (!std::isfinite (point.saliency) || !std::isfinite (point.point_saliency))
+    return ("The saliency of the attention point at " + pixel + " is not finite: give 0 where it is not known.");
+  return ("");
 }
 
 /** \brief Gather a cloud into flat arrays in the sensor frame. Points that are not finite, or that lie in or behind the
@@ -108,58 +211,46 @@ gather (const pcl::PointCloud<pcl::Normal>& normals, const Eigen::Isometry3f& se
   return (flat);
 }
 
-/** \brief The checks every class makes of its input, each with a message that says what to do; then \ref gather.
-  * \param[in] class_name for the message
-  * \param[in] normals may be null
-  * \return false when the input cannot be used */
-template <typename PointT> bool
-checkAndGather (const char* class_name, const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
-                const pcl::IndicesConstPtr& indices, const pcl::PointCloud<pcl::Normal>* normals, OrganizedCloud& flat)
+/** \brief Gather a saliency map; what is not known (NaN) counts as 0. */
+inline Image<float>
+gather (const pcl::PointCloud<pcl::Intensity>& saliency)
 {
-  if (!cloud)
-  {
-    PCL_ERROR ("[pcl::%s] No input cloud: call setInputCloud first.\n", class_name);
-    return (false);
-  }
-  if (cloud->empty ())
-  {
-    PCL_ERROR ("[pcl::%s] The input cloud is empty.\n", class_name);
-    return (false);
-  }
-  if (static_cast<std::size_t> (cloud->width) * cloud->height != cloud->size ())
-  {
-    PCL_ERROR ("[pcl::%s] The input cloud has %zu points, but is said to be %u x %u.\n", class_name, cloud->size (),
-               cloud->width, cloud->height);
-    return (false);
-  }
-  if (!cloud->isOrganized ())
-  {
-    PCL_ERROR ("[pcl::%s] The input cloud is not organized (%u x 1): give it as the camera delivers it, one point a pixel with "
-               "NaN for holes. Filters keep it so with setKeepOrganized (true).\n", class_name, cloud->width);
-    return (false);
-  }
-  if (cloud->size () > most_pixels)
-  {
-    PCL_ERROR ("[pcl::%s] The input cloud has %zu points, more than the %zu this module takes.\n", class_name,
-               cloud->size (), most_pixels);
-    return (false);
-  }
-  if (normals && normals->size () != cloud->size ())
-  {
-    PCL_ERROR ("[pcl::%s] %zu normals for %zu points: give one per point, NaN where it is not known.\n", class_name,
-               normals->size (), cloud->size ());
-    return (false);
-  }
-  if (indices)
-    for (const pcl::index_t index : *indices)
-      if (index < 0 || static_cast<std::size_t> (index) >= cloud->size ())
-      {
-        PCL_ERROR ("[pcl::%s] Index %d lies outside the input cloud of %zu points.\n", class_name,
-                   static_cast<int> (index), cloud->size ());
-        return (false);
-      }
-  flat = gather (*cloud, indices.get ());
-  return (true);
+  Image<float> flat (static_cast<int> (saliency.width), static_cast<int> (saliency.height), 0.0f);
+  for (std::size_t index = 0; index < saliency.size (); ++index)
+    if (std::isfinite (saliency[index].intensity))
+      flat[index] = saliency[index].intensity;
+  return (flat);
+}
+
+/** \brief Gather patch labels: whatever they are, they become 1, 2, ... in ascending order. Points that are not valid get none.
+  * \param[in] cloud the gathered points
+  * \param[out] names the label that k was made of at [k], 0 at [0] */
+inline Image<int>
+gather (const pcl::PointCloud<pcl::Label>& labels, const OrganizedCloud& cloud, std::vector<std::uint32_t>& names)
+{
+  names = {0};
+  for (std::size_t index = 0; index < labels.size (); ++index)
+    if (cloud.valid[index] && labels[index].label != names.back ())
+      names.push_back (labels[index].label);
+  std::sort (names.begin (), names.end ());
+  names.erase (std::unique (names.begin (), names.end ()), names.end ());
+
+  Image<int> flat (cloud.width, cloud.height, 0);
+  for (std::size_t index = 0; index < labels.size (); ++index)
+    if (cloud.valid[index])
+      flat[index] = static_cast<int> (std::lower_bound (names.begin (), names.end (), labels[index].label) - names.begin ());
+  return (flat);
+}
+
+/** \brief Turn an image into a cloud of one field, e.g. scatter<pcl::Label> (image, header, &pcl::Label::label). */
+template <typename PointT, typename T, typename Field> pcl::PointCloud<PointT>
+scatter (const Image<T>& image, const pcl::PCLHeader& header, Field field)
+{
+  pcl::PointCloud<PointT> cloud (static_cast<std::uint32_t> (image.width), static_cast<std::uint32_t> (image.height));
+  cloud.header = header;
+  for (std::size_t index = 0; index < image.size (); ++index)
+    cloud[index].*field = static_cast<std::decay_t<decltype (cloud[index].*field)>> (image[index]);
+  return (cloud);
 }
 
 } // namespace pcl_attention

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/segmentation/attention_base.h>
+#include <pcl/segmentation/impl/organized_cloud.hpp>
+#include <pcl_attention/core/parameters.h>
+
+#include <pcl/console/print.h>
+
+#include <algorithm>
+#include <exception>
+#include <thread>
+
+namespace pcl
+{
+
+template <typename PointT> void
+AttentionBase<PointT>::setInputCloud (const PointCloudConstPtr& cloud)
+{
+  PCLBase<PointT>::setInputCloud (cloud);
+  forget ();
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::setIndices (const IndicesPtr& indices)
+{
+  PCLBase<PointT>::setIndices (indices);
+  forget ();
+}
+
+// PCL's own setters of constant indices do not expect null.
+template <typename PointT> void
+AttentionBase<PointT>::setIndices (const IndicesConstPtr& indices)
+{
+  setIndices (indices ? IndicesPtr (new Indices (*indices)) : IndicesPtr ());
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::setIndices (const PointIndicesConstPtr& indices)
+{
+  setIndices (indices ? IndicesPtr (new Indices (indices->indices)) : IndicesPtr ());
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::setIndices (std::size_t row_start, std::size_t col_start, std::size_t nb_rows, std::size_t nb_cols)
+{
+  if (!accept ("setIndices", input_ ? "" : "No input cloud: call setInputCloud before a rectangle is set."))
+    return;
+  PCLBase<PointT>::setIndices (row_start, col_start, nb_rows, nb_cols);
+  forget ();
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::setInputNormals (const pcl::PointCloud<pcl::Normal>::ConstPtr& normals)
+{
+  normals_ = normals;
+  forget ();
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::setSaliency (const pcl::PointCloud<pcl::Intensity>::ConstPtr& saliency)
+{
+  saliency_ = saliency;
+  forget ();
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::setAttentionPoints (const std::vector<AttentionPoint>& points)
+{
+  attention_points_ = points;
+  forget ();
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::clearAttentionPoints ()
+{
+  attention_points_.reset ();
+  forget ();
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::setPatches (const pcl::PointCloud<pcl::Label>::ConstPtr& patches)
+{
+  patches_ = patches;
+  forget ();
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::setNumberOfThreads (unsigned int threads)
+{
+  threads_ = threads;
+  forget ();
+}
+
+template <typename PointT> pcl_attention::AttentionParameters&
+AttentionBase<PointT>::changeParameters ()
+{
+  forget ();
+  return (parameters_);
+}
+
+template <typename PointT> std::string
+AttentionBase<PointT>::checkInput () const
+{
+  std::string problem = pcl_attention::validate (parameters_);
+  if (!problem.empty ())
+    return ("Bad parameter: " + problem + ".");
+  problem = pcl_attention::checkCloud (input_.get ());
+  if (problem.empty ())
+    problem = pcl_attention::checkIndices (indices_.get (), input_->size ());
+  if (problem.empty ())
+    problem = pcl_attention::checkNormals (normals_.get (), input_->size ());
+  if (problem.empty ())
+    problem = pcl_attention::checkSize ("saliency map", saliency_.get (), *input_);
+  if (problem.empty ())
+    problem = pcl_attention::checkSaliency (saliency_.get ());
+  if (problem.empty ())
+    problem = pcl_attention::checkSize ("image of patch labels", patches_.get (), *input_);
+  if (attention_points_)
+    for (auto point = attention_points_->begin (); problem.empty () && point != attention_points_->end (); ++point)
+      problem = pcl_attention::checkPoint (*point, *input_);
+  return (problem);
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::start ()
+{
+  pcl_attention::OrganizedCloud flat = pcl_attention::gather (*input_, indices_.get ());
+  const Eigen::Isometry3f pose = pcl_attention::sensorPose (*input_);
+  std::optional<pcl_attention::NormalImage> flat_normals;
+  if (normals_)
+    flat_normals = pcl_attention::gather (*normals_, pose, flat);
+  std::optional<pcl_attention::PlanarPatches> flat_patches;
+  patch_names_.clear ();
+  if (patches_)
+  {
+    flat_patches.emplace ();
+    flat_patches->labels = pcl_attention::gather (*patches_, flat, patch_names_);
+  }
+
+  const unsigned int threads = threads_ > 0 ? threads_ : std::max (1u, std::thread::hardware_concurrency ());
+  pipeline_.start (std::move (flat), pose, parameters_, static_cast<int> (threads));
+  if (flat_normals)
+    pipeline_.setNormals (std::move (*flat_normals));
+  if (flat_patches)
+    pipeline_.setPatches (std::move (*flat_patches));
+  if (saliency_)
+  {
+    pcl_attention::SaliencyMaps maps;
+    maps.saliency = pcl_attention::gather (*saliency_);
+    maps.maximum = *std::max_element (maps.saliency.data.begin (), maps.saliency.data.end ());
+    // Nothing is known about where the user's map comes from.
+    maps.winning_level.assign (maps.saliency.width, maps.saliency.height, 0);
+    maps.winning_plane.assign (maps.saliency.width, maps.saliency.height, 0);
+    pipeline_.setSaliency (std::move (maps));
+  }
+  if (attention_points_)
+  {
+    pcl_attention::AttentionPoints points;
+    points.points = *attention_points_;
+    pipeline_.setAttentionPoints (std::move (points));
+  }
+}
+
+template <typename PointT> template <typename Work> bool
+AttentionBase<PointT>::run (const char* method, const Work& work)
+{
+  try
+  {
+    if (!started_)
+    {
+      if (!accept (method, checkInput ()))
+        return (false);
+      start ();
+      started_ = true;
+    }
+    return (work ());
+  }
+  catch (const std::exception& error)
+  {
+    forget ();
+    return (accept (method, std::string ("Failed: ") + error.what () + "."));
+  }
+}
+
+template <typename PointT> bool
+AttentionBase<PointT>::accept (const char* method, const std::string& problem) const
+{
+  if (!problem.empty ())
+    PCL_ERROR ("[pcl::%s::%s] %s\n", getClassName ().c_str (), method, problem.c_str ());
+  return (problem.empty ());
+}
+
+template <typename PointT> void
+AttentionBase<PointT>::restoreLabels (AttentionSegment& segment) const
+{
+  if (patch_names_.empty ())
+    return;
+  for (int& patch : segment.patches)
+    patch = static_cast<int> (patch_names_[patch]);
+  for (pcl_attention::GrowthStep& step : segment.steps)
+    step.patch = static_cast<int> (patch_names_[step.patch]);
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_AttentionBase(T) template class PCL_ATTENTION_EXPORTS pcl::AttentionBase<T>;
