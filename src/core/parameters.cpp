@@ -144,7 +144,11 @@ makeTable ()
     .number ("support_noise_tolerance", &SupportParameters::noise_tolerance, 0, 100, "", "",
              "... plus this many standard deviations of the depth there")
     .number ("support_minimum_confidence", &SupportParameters::minimum_confidence, 0, 1, "", "",
-             "planes under this confidence remove nothing");
+             "a supporting plane under this confidence is none")
+    .number ("background_area", &SupportParameters::background_area, 0, 1000, "m^2", "",
+             "a plane at least this large that reaches the image border is background")
+    .number ("background_share", &SupportParameters::background_share, 0, 1, "share", "",
+             "and so is one that covers this share of the valid points");
 
   rowsOf (table, "clustering", &P::clustering)
     .choice ("initial_patches", &ClusteringParameters::initial_patches, {"within_radius", "connected"}, "IV-B",
@@ -175,6 +179,8 @@ makeTable ()
              "join pieces of one object that an occluder separates; off with -parts");
 
   rowsOf (table, "segmentation", &P::segmentation)
+    .toggle ("prefer_supported", &SegmentationParameters::prefer_supported, "",
+             "what stands on the supporting plane first, then the rest, each by saliency")
     .toggle ("inhibition_of_return", &SegmentationParameters::inhibition_of_return, "",
              "skip attention points that lie in an earlier segment or lead to one again")
     .number ("fixation_margin", &SegmentationParameters::fixation_margin, 0, 50, "pixels", "",

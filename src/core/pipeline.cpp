@@ -101,6 +101,7 @@ AttentionParameters::paper ()
   parameters.clustering.recognize_hollows = false;
   parameters.clustering.absorb_size = 0;
   parameters.clustering.visiblePieces ();
+  parameters.segmentation.prefer_supported = false;
   parameters.segmentation.inhibition_of_return = false;
   parameters.segmentation.fixation_margin = 0;
   parameters.segmentation.coverage = false;
@@ -123,11 +124,11 @@ AttentionPipeline::start (OrganizedCloud&& cloud, const Eigen::Isometry3f& senso
   patches_.reset ();
   patch_graph_.reset ();
   supporting_planes_.reset ();
-  support_pixels_.clear ();
+  support_patches_.clear ();
+  over_support_.clear ();
+  queue_.clear ();
   next_point_ = 0;
-  coverage_points_.clear ();
-  next_coverage_point_ = 0;
-  coverage_started_ = false;
+  queue_filled_ = coverage_started_ = false;
   claimed_.assign (cloud_.size (), 0);
   segments_found_ = 0;
   times_ = StageTimes ();
@@ -196,50 +197,53 @@ AttentionPipeline::attentionPoints ()
   return (*attention_points_);
 }
 
-const PlanarPatches&
-AttentionPipeline::patches ()
+void
+AttentionPipeline::preparePatches ()
 {
+  if (patch_graph_)
+    return;
+  normals ();
+  const StageTimer timer (times_.patches);
   if (!patches_)
   {
-    normals ();
-    const StageTimer timer (times_.patches);
     patches_.emplace ();
     extractPlanarPatches (cloud_, *normals_, parameters_.patches, *patches_);
   }
+  const auto graph = [this] {
+    return (buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
+                             parameters_.patch_graph));
+  };
+  patch_graph_ = graph ();
+  supporting_planes_ = findSupportingPlanes (cloud_, *normals_, *patches_, *patch_graph_, parameters_.support);
+  if (!supporting_planes_->empty () && parameters_.clustering.stay_off_support)
+  {
+    support_patches_ = cutAlongPlanes (cloud_, *supporting_planes_, parameters_.patches, *patches_);
+    patch_graph_ = graph ();
+  }
+  if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
+    over_support_ = findPointsOver (cloud_, supporting_planes_->front ());
+  for (SupportingPlane& plane : *supporting_planes_)
+    plane.coefficients = transformPlane (sensor_pose_, plane.coefficients);
+}
+
+const PlanarPatches&
+AttentionPipeline::patches ()
+{
+  preparePatches ();
   return (*patches_);
 }
 
 const PatchGraph&
 AttentionPipeline::patchGraph ()
 {
-  if (!patch_graph_)
-  {
-    normals ();
-    patches ();
-    const StageTimer timer (times_.patches);
-    patch_graph_ = buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
-                                    parameters_.patch_graph);
-  }
+  preparePatches ();
   return (*patch_graph_);
 }
 
 const std::vector<SupportingPlane>&
 AttentionPipeline::supportingPlanes ()
 {
-  if (!supporting_planes_)
-  {
-    patchGraph ();
-    const StageTimer timer (times_.patches);
-    supporting_planes_ = findSupportingPlanes (cloud_, *normals_, *patches_, *patch_graph_, parameters_.support);
-    support_pixels_.assign (cloud_.size (), 0);
-    for (SupportingPlane& plane : *supporting_planes_)
-    {
-      if (plane.confidence >= parameters_.support.minimum_confidence)
-        for (const pcl::index_t index : plane.indices)
-          support_pixels_[index] = 1;
-      plane.coefficients = transformPlane (sensor_pose_, plane.coefficients);
-    }
-  }
+  preparePatches ();
   return (*supporting_planes_);
 }
 
@@ -248,75 +252,81 @@ AttentionPipeline::clustering ()
 {
   if (!clustering_)
   {
-    supportingPlanes ();
-    std::vector<std::uint8_t> support_patches (patches_->patches.size () + 1, 0);
-    for (std::size_t k = 0; k < patches_->patches.size (); ++k)
-    {
-      const pcl::Indices& pixels = patches_->patches[k].pixels;
-      const auto on_support = std::count_if (pixels.begin (), pixels.end (),
-                                             [this] (pcl::index_t index) { return (support_pixels_[index]); });
-      support_patches[k + 1] = 2 * static_cast<std::size_t> (on_support) > pixels.size ();
-    }
+    preparePatches ();
     const StageTimer timer (times_.segmentation);
-    clustering_ = std::make_unique<CompactClustering> (cloud_, *normals_, *patches_, *patch_graph_, support_patches,
+    clustering_ = std::make_unique<CompactClustering> (cloud_, *normals_, *patches_, *patch_graph_, support_patches_,
                                                        parameters_.clustering);
   }
   return (*clustering_);
 }
 
+void
+AttentionPipeline::fillQueue ()
+{
+  queue_ = attentionPoints ().points;
+  if (!parameters_.segmentation.prefer_supported)
+    return;
+  preparePatches ();
+  if (!over_support_.empty ())
+    std::stable_partition (queue_.begin (), queue_.end (), [this] (const AttentionPoint& point) {
+      return (over_support_[static_cast<std::size_t> (point.row) * cloud_.width + point.column]);
+    });
+}
+
+void
+AttentionPipeline::addCoveragePoints ()
+{
+  preparePatches ();
+  // The largest patches first.
+  std::vector<std::pair<std::size_t, int>> order;
+  for (std::size_t k = 0; k < patches_->patches.size (); ++k)
+    if (support_patches_.empty () || !support_patches_[k + 1])
+      order.emplace_back (patches_->patches[k].pixels.size (), static_cast<int> (k));
+  std::stable_sort (order.begin (), order.end (), [] (const auto& a, const auto& b) { return (a.first > b.first); });
+  for (const auto& [size, k] : order)
+  {
+    const PlanarPatch& patch = patches_->patches[k];
+    if (static_cast<int> (size) < parameters_.segmentation.coverage_size)
+      break;
+    // The pixel nearest to the patch's centroid: a fixation lies on its patch.
+    const pcl::index_t center =
+      *std::min_element (patch.pixels.begin (), patch.pixels.end (), [&] (pcl::index_t a, pcl::index_t b) {
+        return ((pointAt (cloud_, a) - patch.centroid).squaredNorm () <
+                (pointAt (cloud_, b) - patch.centroid).squaredNorm ());
+      });
+    if (!over_support_.empty () && !over_support_[center])
+      continue;
+    AttentionPoint point;
+    point.column = center % cloud_.width;
+    point.row = center / cloud_.width;
+    point.point_saliency = saliency_ ? saliency_->saliency[center] : 0.0f;
+    point.kind = AttentionPointKind::coverage;
+    queue_.push_back (point);
+  }
+}
+
 bool
 AttentionPipeline::nextPoint (AttentionPoint& point)
 {
-  const std::vector<AttentionPoint>& points = attentionPoints ().points;
-  const SegmentationParameters& settings = parameters_.segmentation;
-  while (next_point_ < points.size ())
+  if (!queue_filled_)
   {
-    point = points[next_point_++];
-    const std::size_t index = static_cast<std::size_t> (point.row) * cloud_.width + point.column;
-    if (!settings.inhibition_of_return || !claimed_[index])
-      return (true);
+    fillQueue ();
+    queue_filled_ = true;
   }
-  if (!settings.coverage)
-    return (false);
-  if (!coverage_started_)
+  while (true)
   {
-    coverage_started_ = true;
-    clustering ();
-    // The largest unclaimed patches first.
-    std::vector<std::pair<std::size_t, int>> order;
-    for (std::size_t k = 0; k < patches_->patches.size (); ++k)
-      order.emplace_back (patches_->patches[k].pixels.size (), static_cast<int> (k));
-    std::stable_sort (order.begin (), order.end (), [] (const auto& a, const auto& b) { return (a.first > b.first); });
-    for (const auto& [size, k] : order)
+    if (next_point_ == queue_.size () && parameters_.segmentation.coverage && !coverage_started_)
     {
-      const PlanarPatch& patch = patches_->patches[k];
-      if (static_cast<int> (size) < settings.coverage_size)
-        break;
-      // The pixel nearest to the patch's centroid: a fixation lies on its patch.
-      const pcl::index_t center =
-        *std::min_element (patch.pixels.begin (), patch.pixels.end (), [&] (pcl::index_t a, pcl::index_t b) {
-          return ((pointAt (cloud_, a) - patch.centroid).squaredNorm () <
-                  (pointAt (cloud_, b) - patch.centroid).squaredNorm ());
-        });
-      AttentionPoint coverage_point;
-      coverage_point.column = center % cloud_.width;
-      coverage_point.row = center / cloud_.width;
-      coverage_point.point_saliency = saliency_ ? saliency_->saliency[center] : 0.0f;
-      coverage_point.kind = AttentionPointKind::coverage;
-      coverage_points_.push_back (coverage_point);
+      coverage_started_ = true;
+      addCoveragePoints ();
     }
-  }
-  while (next_coverage_point_ < coverage_points_.size ())
-  {
-    point = coverage_points_[next_coverage_point_++];
-    const int label = patches_->labels (point.column, point.row);
-    const pcl::Indices& pixels = patches_->patches[label - 1].pixels;
-    const auto free = std::count_if (pixels.begin (), pixels.end (),
-                                     [this] (pcl::index_t index) { return (!claimed_[index] && !support_pixels_[index]); });
-    if (free >= settings.coverage_size && 2 * static_cast<std::size_t> (free) >= pixels.size ())
+    if (next_point_ == queue_.size ())
+      return (false);
+    point = queue_[next_point_++];
+    const bool claimed = claimed_[static_cast<std::size_t> (point.row) * cloud_.width + point.column];
+    if (!claimed || (!parameters_.segmentation.inhibition_of_return && point.kind != AttentionPointKind::coverage))
       return (true);
   }
-  return (false);
 }
 
 bool
@@ -329,7 +339,7 @@ AttentionPipeline::next (AttentionSegment& segment)
     const StageTimer timer (times_.segmentation);
     if (!grower.grow (point, segment) ||
         static_cast<int> (segment.indices.size ()) < parameters_.segmentation.minimum_segment_size ||
-        (parameters_.segmentation.inhibition_of_return && isDuplicate (segment)))
+        ((parameters_.segmentation.inhibition_of_return || point.kind == AttentionPointKind::coverage) && isDuplicate (segment)))
       continue;
     segment.rank = ++segments_found_;
     for (const pcl::index_t index : segment.indices)

@@ -119,7 +119,8 @@ private:
   mutable Eigen::Vector3f normal_sum_{Eigen::Vector3f::Zero ()}, point_sum_{Eigen::Vector3f::Zero ()};
 };
 
-/** \brief Give left-over points to the neighbouring patch that is nearest in 3D, ring by ring outwards from the patches. */
+} // namespace
+
 void
 reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, Image<int>& labels)
 {
@@ -165,8 +166,6 @@ reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, Image<in
     front = std::move (rest);
   }
 }
-
-} // namespace
 
 void
 extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters,

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex_hull.h"
 
+#include <pcl_attention/core/skeleton.h>
 #include <pcl_attention/core/supporting_plane.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -113,34 +116,130 @@ fitPlane (const OrganizedCloud& cloud, const pcl::Indices& indices)
   return {normal.cast<float> (), static_cast<float> (-normal.dot (center))};
 }
 
-/** \brief Grow a plane from a patch to all points near it, over a few rounds of fitting. */
-void
-refine (const OrganizedCloud& cloud, const NormalImage& normals, float noise, const SupportParameters& parameters,
-        PlaneFit& plane, pcl::Indices& indices)
+/** \brief A plane as a sensor sees it: the inverse depth as a quadratic function of the view ray, which is linear for a true
+  * plane and takes up the sensor's slow distortion, which bends a table by centimetres in the corners of the image. */
+class BentPlane
 {
-  constexpr int rounds = 4;
-  const float minimum_cosine = std::cos (0.6f);
-  for (int round = 0; round < rounds; ++round)
+public:
+  BentPlane (const OrganizedCloud& cloud, const pcl::Indices& indices) : plane (fitPlane (cloud, indices))
   {
-    indices.clear ();
-    for (std::size_t index = 0; index < cloud.size (); ++index)
+    using Row = Eigen::Matrix<double, 6, 1>;
+    Eigen::Matrix<double, 6, 6> square = Eigen::Matrix<double, 6, 6>::Zero ();
+    Row product = Row::Zero ();
+    for (const pcl::index_t index : indices)
     {
-      if (!cloud.valid[index])
-        continue;
-      const Eigen::Vector3f point = pointAt (cloud, index);
-      const float tolerance = parameters.tolerance + parameters.noise_tolerance * noise * point.z () * point.z ();
-      const float height = std::abs (plane.height (point));
-      if (height >= tolerance)
-        continue;
-      const bool aligned = normals.valid[index] &&
-        plane.normal.dot (Eigen::Vector3f (normals.x[index], normals.y[index], normals.z[index])) > minimum_cosine;
-      if (aligned || height < 0.5f * tolerance)
-        indices.push_back (static_cast<pcl::index_t> (index));
+      const Row row = terms (pointAt (cloud, index)).cast<double> ();
+      square += row * row.transpose ();
+      product += row / static_cast<double> (cloud.z[index]);
     }
-    if (indices.size () < 3 || round + 1 == rounds)
-      return;
-    plane = fitPlane (cloud, indices);
+    coefficients_ = square.ldlt ().solve (product).cast<float> ();
   }
+
+  /** \brief Height of a point over the surface, along the plane's normal, metres. */
+  float
+  height (const Eigen::Vector3f& point) const
+  {
+    const float inverse_depth = coefficients_.dot (terms (point));
+    if (!(inverse_depth > 1e-3f))
+      return (plane.height (point));
+    const Eigen::Vector3f ray = point / point.z ();
+    return ((point.z () - 1.0f / inverse_depth) * plane.normal.dot (ray));
+  }
+
+  PlaneFit plane;
+
+private:
+  static Eigen::Matrix<float, 6, 1>
+  terms (const Eigen::Vector3f& point)
+  {
+    const float u = point.x () / point.z (), v = point.y () / point.z ();
+    return ((Eigen::Matrix<float, 6, 1> () << 1.0f, u, v, u * u, u * v, v * v).finished ());
+  }
+
+  Eigen::Matrix<float, 6, 1> coefficients_;
+};
+
+/** \brief Points within a tolerance of a plane. */
+pcl::Indices
+pointsOf (const OrganizedCloud& cloud, const NormalImage& normals, float noise, const SupportParameters& parameters,
+          const BentPlane& surface)
+{
+  const float minimum_cosine = std::cos (0.6f);
+  constexpr float below = 0.03f;
+  pcl::Indices indices;
+  for (std::size_t index = 0; index < cloud.size (); ++index)
+  {
+    if (!cloud.valid[index])
+      continue;
+    const Eigen::Vector3f point = pointAt (cloud, index);
+    const float tolerance = parameters.tolerance + parameters.noise_tolerance * noise * point.z () * point.z ();
+    // The bent surface is only trusted near the plane itself.
+    if (std::abs (surface.plane.height (point)) > below + 3.0f * tolerance)
+      continue;
+    const float height = surface.height (point);
+    if (height >= tolerance || height < -std::max (below, tolerance))
+      continue;
+    const bool aligned = normals.valid[index] &&
+      surface.plane.normal.dot (Eigen::Vector3f (normals.x[index], normals.y[index], normals.z[index])) > minimum_cosine;
+    if (aligned || height < 0.5f * tolerance)
+      indices.push_back (static_cast<pcl::index_t> (index));
+  }
+  return (indices);
+}
+
+/** \brief Take away islands: small pieces, and pieces that go over into objects along their edge, such as the floor of a
+  * bowl. */
+void
+dropIslands (const OrganizedCloud& cloud, pcl::Indices& indices)
+{
+  constexpr int smallest = 60;
+  constexpr float touching_distance = 0.02f, touching_share = 0.35f;
+  Image<std::uint8_t> mask (cloud.width, cloud.height, 0);
+  for (const pcl::index_t index : indices)
+    mask[index] = 1;
+  Image<int> components;
+  const int count = labelConnectedComponents (mask, components);
+  std::vector<int> sizes (count + 1, 0), contour (count + 1, 0), touching (count + 1, 0);
+  for (const pcl::index_t index : indices)
+  {
+    const int column = index % cloud.width, row = index / cloud.width, component = components[index];
+    ++sizes[component];
+    for (const auto& [c, r] : {std::pair<int, int> (column + 1, row), {column - 1, row}, {column, row + 1}, {column, row - 1}})
+      if (!mask.contains (c, r) || !mask (c, r))
+      {
+        ++contour[component];
+        const int other = r * cloud.width + c;
+        touching[component] += mask.contains (c, r) && cloud.valid[other] &&
+                               (pointAt (cloud, other) - pointAt (cloud, index)).norm () < touching_distance;
+      }
+  }
+  const int largest = static_cast<int> (std::max_element (sizes.begin (), sizes.end ()) - sizes.begin ());
+  indices.erase (std::remove_if (indices.begin (), indices.end (),
+                                 [&] (pcl::index_t index) {
+                                   const int component = components[index];
+                                   return (component != largest &&
+                                           (sizes[component] < smallest ||
+                                            touching[component] > touching_share * contour[component]));
+                                 }),
+                 indices.end ());
+}
+
+float
+areaOf (const OrganizedCloud& cloud, const pcl::Indices& indices, const Eigen::Vector3f& normal, float focal_length)
+{
+  float area = 0.0f;
+  for (const pcl::index_t index : indices)
+    area += pixelArea (pointAt (cloud, index), normal, focal_length);
+  return (area);
+}
+
+bool
+touchesImageBorder (const OrganizedCloud& cloud, const pcl::Indices& indices)
+{
+  return (std::any_of (indices.begin (), indices.end (), [&] (pcl::index_t index) {
+    const int column = index % cloud.width, row = index / cloud.width;
+    return (column == 0 || row == 0 || column == cloud.width - 1 || row == cloud.height - 1);
+  }));
 }
 
 } // namespace
@@ -178,30 +277,45 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
   if (focal_length <= 0.0f)
     return (planes);
   const float noise = estimateDepthNoise (cloud);
+  const auto valid_points = static_cast<float> (std::count (cloud.valid.begin (), cloud.valid.end (), 1));
 
-  struct Scored
-  {
-    SupportingPlane plane;
-    double score;
-  };
-  std::vector<Scored> scored;
+  std::vector<int> order;
   for (std::size_t k = 0; k < patches.patches.size (); ++k)
+    if (patches.patches[k].pixels.size () >= 200)
+      order.push_back (static_cast<int> (k));
+  std::stable_sort (order.begin (), order.end (), [&] (int a, int b) {
+    return (patches.patches[a].pixels.size () > patches.patches[b].pixels.size ());
+  });
+
+  std::vector<std::uint8_t> taken (cloud.size (), 0);
+  std::vector<double> scores;
+  for (const int k : order)
   {
     const PlanarPatch& patch = patches.patches[k];
-    if (patch.pixels.size () < 500)
+    if (areaOf (cloud, patch.pixels, patch.normal, focal_length) < parameters.minimum_area)
       continue;
-    float area = 0.0f;
-    for (const pcl::index_t index : patch.pixels)
-      area += pixelArea (pointAt (cloud, index), patch.normal, focal_length);
-    if (area < parameters.minimum_area)
+    const auto known = std::count_if (patch.pixels.begin (), patch.pixels.end (),
+                                      [&] (pcl::index_t index) { return (taken[index]); });
+    if (2 * static_cast<std::size_t> (known) > patch.pixels.size ())
       continue;
 
-    PlaneFit plane = fitPlane (cloud, patch.pixels);
-    Scored candidate;
-    refine (cloud, normals, noise, parameters, plane, candidate.plane.indices);
-    if (candidate.plane.indices.size () < patch.pixels.size () / 2)
+    SupportingPlane plane;
+    plane.indices = patch.pixels;
+    constexpr int rounds = 4;
+    Eigen::Vector3f normal = patch.normal;
+    for (int round = 0; round < rounds && plane.indices.size () >= 100; ++round)
+    {
+      const BentPlane surface (cloud, plane.indices);
+      normal = surface.plane.normal;
+      plane.coefficients << normal, surface.plane.offset;
+      plane.indices = pointsOf (cloud, normals, noise, parameters, surface);
+    }
+    dropIslands (cloud, plane.indices);
+    if (plane.indices.size () < std::max<std::size_t> (100, patch.pixels.size () / 2))
       continue;
-    const Footprint footprint (cloud, patch.pixels, plane.normal);
+    plane.area = areaOf (cloud, plane.indices, normal, focal_length);
+
+    const Footprint footprint (cloud, patch.pixels, normal);
     double over = 0.0, below = 0.0;
     constexpr std::size_t step = 4;
     for (std::size_t index = 0; index < cloud.size (); index += step)
@@ -209,38 +323,121 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
       if (!cloud.valid[index])
         continue;
       const Eigen::Vector3f point = pointAt (cloud, index);
-      const float height = plane.height (point);
+      const float height = normal.dot (point) + plane.coefficients[3];
       const float clear = 0.02f + parameters.noise_tolerance * noise * point.z () * point.z ();
       if (height > clear && height < 0.4f && footprint.contains (point, 0.05f))
         over += step;
       else if (height < -clear && height > -0.3f && footprint.contains (point, 0.15f))
         below += step;
     }
-    const int label = static_cast<int> (k) + 1;
     double concave = 0.0;
-    for (const int neighbor : graph.neighbors[label])
+    for (const int neighbor : graph.neighbors[k + 1])
     {
-      const PatchBorder border = graph.border (label, neighbor);
+      const PatchBorder border = graph.border (k + 1, neighbor);
       if (border.convexity () < -0.2f)
         concave += border.connected;
     }
-    candidate.plane.coefficients << plane.normal, plane.offset;
-    candidate.plane.area = 0.0f;
-    for (const pcl::index_t index : candidate.plane.indices)
-      candidate.plane.area += pixelArea (pointAt (cloud, index), plane.normal, focal_length);
-    candidate.plane.confidence = static_cast<float> ((over + 100.0) / (over + below + 100.0));
-    candidate.score = static_cast<double> (patch.pixels.size ()) * (concave + 20.0) * (over + 300.0) *
-                      candidate.plane.confidence * candidate.plane.confidence;
-    scored.push_back (std::move (candidate));
+    plane.confidence = static_cast<float> ((over + 100.0) / (over + below + 100.0));
+    scores.push_back (static_cast<double> (patch.pixels.size ()) * (concave + 20.0) * (over + 300.0) * plane.confidence *
+                      plane.confidence);
+    for (const pcl::index_t index : plane.indices)
+      taken[index] = 1;
+    planes.push_back (std::move (plane));
   }
-  std::stable_sort (scored.begin (), scored.end (), [] (const Scored& a, const Scored& b) { return (a.score > b.score); });
-  for (Scored& candidate : scored)
+
+  const auto best = std::max_element (scores.begin (), scores.end ());
+  if (best != scores.end ())
   {
-    candidate.plane.supports_objects = planes.empty () && candidate.plane.confidence >= parameters.minimum_confidence;
-    if (candidate.plane.supports_objects)
-      planes.push_back (std::move (candidate.plane));
+    SupportingPlane& support = planes[best - scores.begin ()];
+    support.supports_objects = support.confidence >= parameters.minimum_confidence;
+    std::swap (planes.front (), support);
   }
+  planes.erase (std::remove_if (planes.begin (), planes.end (),
+                                [&] (const SupportingPlane& plane) {
+                                  const float share = static_cast<float> (plane.indices.size ()) / valid_points;
+                                  const bool large = plane.area >= parameters.background_area ||
+                                                     share >= parameters.background_share;
+                                  return (!plane.supports_objects &&
+                                          !(large && touchesImageBorder (cloud, plane.indices)));
+                                }),
+                planes.end ());
   return (planes);
+}
+
+std::vector<std::uint8_t>
+findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane)
+{
+  constexpr float highest = 0.5f, margin = 0.05f;
+  const Eigen::Vector3f normal = plane.coefficients.head<3> ();
+  const Footprint footprint (cloud, plane.indices, normal);
+  std::vector<std::uint8_t> over (cloud.size (), 0);
+  for (std::size_t index = 0; index < cloud.size (); ++index)
+  {
+    if (!cloud.valid[index])
+      continue;
+    const Eigen::Vector3f point = pointAt (cloud, index);
+    const float height = normal.dot (point) + plane.coefficients[3];
+    over[index] = height > 0.0f && height < highest && footprint.contains (point, margin);
+  }
+  return (over);
+}
+
+std::vector<std::uint8_t>
+cutAlongPlanes (const OrganizedCloud& cloud, const std::vector<SupportingPlane>& planes, const PatchParameters& parameters,
+                PlanarPatches& patches)
+{
+  Image<int> background (cloud.width, cloud.height, 0);
+  for (std::size_t plane = 0; plane < planes.size (); ++plane)
+    for (const pcl::index_t index : planes[plane].indices)
+      if (!background[index])
+        background[index] = static_cast<int> (plane) + 1;
+
+  Image<int> labels (cloud.width, cloud.height, 0);
+  std::vector<std::uint8_t> is_background (1, 0);
+  for (std::size_t plane = 0; plane < planes.size (); ++plane)
+    is_background.push_back (1);
+  for (std::size_t index = 0; index < cloud.size (); ++index)
+    labels[index] = background[index];
+
+  // Pieces of the same old patch that hang together become a patch, in the order of the old ones.
+  std::vector<pcl::index_t> stack;
+  for (const PlanarPatch& patch : patches.patches)
+    for (const pcl::index_t seed : patch.pixels)
+    {
+      if (labels[seed] != 0)
+        continue;
+      const int old_label = patches.labels[seed], label = static_cast<int> (is_background.size ());
+      pcl::Indices piece;
+      labels[seed] = label;
+      stack.push_back (seed);
+      while (!stack.empty ())
+      {
+        const pcl::index_t index = stack.back ();
+        stack.pop_back ();
+        piece.push_back (index);
+        const int column = index % cloud.width, row = index / cloud.width;
+        for (const auto& [c, r] :
+             {std::pair<int, int> (column + 1, row), {column - 1, row}, {column, row + 1}, {column, row - 1}})
+          if (labels.contains (c, r) && patches.labels (c, r) == old_label && labels (c, r) == 0)
+          {
+            labels (c, r) = label;
+            stack.push_back (r * cloud.width + c);
+          }
+      }
+      if (static_cast<int> (piece.size ()) >= parameters.minimum_size)
+        is_background.push_back (0);
+      else
+        for (const pcl::index_t index : piece)
+          labels[index] = -1;
+    }
+  for (int& label : labels.data)
+    label = std::max (label, 0);
+  if (parameters.reassign_distance > 0.0f)
+    reassignLeftOvers (cloud, parameters.reassign_distance, labels);
+  patches.labels = std::move (labels);
+  describePatches (cloud, patches);
+  is_background.resize (patches.patches.size () + 1, 0);
+  return (is_background);
 }
 
 } // namespace pcl_attention

@@ -25,7 +25,7 @@ namespace pcl
   * Every setter forgets the results of the frame before; what the user has set stays until it is set again. Nothing throws: an
   * error is reported by PCL_ERROR with what to do, the output is empty and the return value false. */
 template <typename PointT>
-class PCL_ATTENTION_EXPORTS AttentionBase : public PCLBase<PointT>
+class AttentionBase : public PCLBase<PointT>
 {
 public:
   using PointCloud = pcl::PointCloud<PointT>;
@@ -53,6 +53,11 @@ protected:
 
   AttentionBase () = default;
 
+  // The stages of a frame refer to each other.
+  AttentionBase (const AttentionBase&) = delete;
+  AttentionBase&
+  operator= (const AttentionBase&) = delete;
+
   virtual std::string
   getClassName () const = 0;
 
@@ -79,17 +84,66 @@ protected:
   void
   setPatches (const pcl::PointCloud<pcl::Label>::ConstPtr& patches);
 
-  /** \brief Number of threads; 0 takes all processors. The result does not depend on it. */
+  /** \brief Number of threads, from the next frame on; 0 takes all processors. The result does not depend on it. */
   void
-  setNumberOfThreads (unsigned int threads = 0);
+  setNumberOfThreads (unsigned int threads = 0) { threads_ = threads; }
+
+  /** \brief Settings of the normals where the user brings none (paper III-A). */
+  void
+  setNormalParameters (const pcl_attention::NormalParameters& parameters) { changeParameters ().normals = parameters; }
+  const pcl_attention::NormalParameters&
+  getNormalParameters () const { return (parameters_.normals); }
+
+  /** \brief Settings of the saliency map where the user brings none (paper III-A and III-B). */
+  void
+  setSaliencyParameters (const pcl_attention::SaliencyParameters& parameters) { changeParameters ().saliency = parameters; }
+  const pcl_attention::SaliencyParameters&
+  getSaliencyParameters () const { return (parameters_.saliency); }
+
+  /** \brief Settings of the attention points where the user brings none (paper III-C). */
+  void
+  setAttentionPointParameters (const pcl_attention::AttentionPointParameters& parameters)
+  {
+    changeParameters ().attention_points = parameters;
+  }
+  const pcl_attention::AttentionPointParameters&
+  getAttentionPointParameters () const { return (parameters_.attention_points); }
+
+  /** \brief Settings of the patches where the user brings none (paper IV-A). */
+  void
+  setPatchParameters (const pcl_attention::PatchParameters& parameters) { changeParameters ().patches = parameters; }
+  const pcl_attention::PatchParameters&
+  getPatchParameters () const { return (parameters_.patches); }
+
+  /** \brief Settings of the borders between patches. */
+  void
+  setPatchGraphParameters (const pcl_attention::PatchGraphParameters& parameters)
+  {
+    changeParameters ().patch_graph = parameters;
+  }
+  const pcl_attention::PatchGraphParameters&
+  getPatchGraphParameters () const { return (parameters_.patch_graph); }
+
+  /** \brief Settings of the supporting planes. */
+  void
+  setSupportParameters (const pcl_attention::SupportParameters& parameters) { changeParameters ().support = parameters; }
+  const pcl_attention::SupportParameters&
+  getSupportParameters () const { return (parameters_.support); }
 
   /** \brief The parameters of all stages, to be changed: the results made with the old ones are forgotten. They are checked
     * when computing. */
   pcl_attention::AttentionParameters&
-  changeParameters ();
+  changeParameters ()
+  {
+    forget ();
+    return (parameters_);
+  }
 
   const pcl_attention::AttentionParameters&
   parameters () const { return (parameters_); }
+
+  bool
+  hasSaliency () const { return (saliency_ != nullptr); }
 
   /** \brief Do the work on the frame, started before if need be.
     * \param[in] method for messages
@@ -97,6 +151,15 @@ protected:
     * \return false on an error, else what work returned */
   template <typename Work> bool
   run (const char* method, const Work& work);
+
+  /** \brief The same for work that gives one segment; its patches are then named by the user's labels.
+    * \param[out] segment empty when the result is false */
+  template <typename Work> bool
+  runForSegment (const char* method, AttentionSegment& segment, const Work& work);
+
+  /** \brief Segment the object at one point. */
+  bool
+  runAt (const char* method, const AttentionPoint& point, AttentionSegment& segment);
 
   /** \brief Report a problem, unless the text is empty.
     * \return true when there is none */
@@ -115,8 +178,8 @@ protected:
   void
   restoreLabels (AttentionSegment& segment) const;
 
-  /** \brief The stages. */
-  pcl_attention::AttentionPipeline pipeline_;
+  /** \brief The stages. A getter may be the first to ask for a result. */
+  mutable pcl_attention::AttentionPipeline pipeline_;
 
 private:
   std::string

@@ -76,10 +76,8 @@ public:
   getPipeline () { return (this->isStarted () ? &pipeline_ : nullptr); }
 
 protected:
-  using AttentionBase<PointT>::input_;
   using AttentionBase<PointT>::pipeline_;
   using AttentionBase<PointT>::changeParameters;
-  using AttentionBase<PointT>::accept;
   using AttentionBase<PointT>::run;
 
   std::string

@@ -15,9 +15,11 @@ namespace pcl_attention
 /** \brief Settings of the way through the stages. */
 struct SegmentationParameters
 {
+  bool prefer_supported{true};     /**< what stands on the supporting plane first, then the rest, each by saliency */
   bool inhibition_of_return{true}; /**< skip attention points that lie in an earlier segment or lead to one again */
   int fixation_margin{4};          /**< a fixation nearer than this to its segment's contour moves inside, pixels; 0: off */
-  bool coverage{true};             /**< every patch that no segment claims becomes an attention point, after all others */
+  bool coverage{true};             /**< every patch that no segment claims becomes an attention point, after all others; with
+                                     a supporting plane only what stands on it */
   int coverage_size{150};          /**< smaller patches do not, pixels */
   int minimum_segment_size{50};    /**< smaller segments are no objects, pixels */
 };
@@ -78,8 +80,10 @@ public:
   saliency ();
   const AttentionPoints&
   attentionPoints ();
+  /** \brief The patches that are clustered: cut along the planes of the background, unless those are not stayed off. */
   const PlanarPatches&
   patches ();
+  /** \brief Of the patches that are clustered: those of \ref patches. */
   const PatchGraph&
   patchGraph ();
 
@@ -101,8 +105,15 @@ public:
   times () const { return (times_); }
 
 private:
+  /** \brief Patches, their graph and the planes of the background. */
+  void
+  preparePatches ();
   CompactClustering&
   clustering ();
+  void
+  fillQueue ();
+  void
+  addCoveragePoints ();
   bool
   nextPoint (AttentionPoint& point);
   /** \brief Whether most of a segment was already found. */
@@ -126,12 +137,12 @@ private:
   std::optional<PlanarPatches> patches_;
   std::optional<PatchGraph> patch_graph_;
   std::optional<std::vector<SupportingPlane>> supporting_planes_;
-  std::vector<std::uint8_t> support_pixels_; /**< 1 on confident supporting planes */
+  std::vector<std::uint8_t> support_patches_; /**< 1 at [label] for the patches that are background */
+  std::vector<std::uint8_t> over_support_;    /**< 1 for points that stand on the supporting plane; empty without one */
   std::unique_ptr<CompactClustering> clustering_;
+  std::vector<AttentionPoint> queue_; /**< the attention points in the order they are visited, then the coverage points */
   std::size_t next_point_{0};
-  std::vector<AttentionPoint> coverage_points_;
-  std::size_t next_coverage_point_{0};
-  bool coverage_started_{false};
+  bool queue_filled_{false}, coverage_started_{false};
   std::vector<std::uint8_t> claimed_; /**< 1 where a segment was found */
   int segments_found_{0};
   StageTimes times_;

@@ -52,6 +52,11 @@ PCL_ATTENTION_EXPORTS void
 extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters,
                       PlanarPatches& result);
 
+/** \brief Give valid points without a patch to the neighbouring patch that is nearest in 3D, ring by ring outwards from the
+  * patches, as far as they are nearer than maximum_distance metres (paper IV-A). */
+PCL_ATTENTION_EXPORTS void
+reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, Image<int>& labels);
+
 /** \brief Fill the patches' pixel lists and planes from a label image, for labels made elsewhere. */
 PCL_ATTENTION_EXPORTS void
 describePatches (const OrganizedCloud& cloud, PlanarPatches& result);

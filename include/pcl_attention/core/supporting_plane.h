@@ -9,10 +9,12 @@ namespace pcl_attention
 /** \brief Settings of the search for the surfaces that objects stand on or before. */
 struct SupportParameters
 {
-  float minimum_area{0.03f};    /**< of a patch to be a candidate, m^2 */
-  float tolerance{0.004f};      /**< a point this near to the plane belongs to it, metres ... */
-  float noise_tolerance{3.0f};  /**< ... plus this many standard deviations of the depth at its distance */
-  float minimum_confidence{0.8f}; /**< planes under this confidence remove nothing, 0..1 */
+  float minimum_area{0.03f};      /**< of a patch to be a candidate, m^2 */
+  float tolerance{0.004f};        /**< a point this near to the plane belongs to it, metres ... */
+  float noise_tolerance{3.0f};    /**< ... plus this many standard deviations of the depth at its distance */
+  float minimum_confidence{0.8f}; /**< a supporting plane under this confidence is none, 0..1 */
+  float background_area{0.25f};   /**< a plane at least this large is background even if nothing stands on it, m^2 */
+  float background_share{0.4f};   /**< and so is one that covers this share of the valid points, 0..1 */
 };
 
 /** \brief A large plane that objects stand on, or a wall or floor behind them. */
@@ -20,9 +22,9 @@ struct SupportingPlane
 {
   Eigen::Vector4f coefficients{Eigen::Vector4f::Zero ()}; /**< a, b, c, d of ax + by + cz + d = 0, unit normal towards the
                                                             viewpoint, metres */
-  pcl::Indices indices;      /**< its points, ascending */
-  float area{0.0f};          /**< m^2 */
-  float confidence{0.0f};    /**< 0..1: share of what lies beyond its face near it that is in front of it, not behind */
+  pcl::Indices indices;         /**< its points, ascending */
+  float area{0.0f};             /**< m^2 */
+  float confidence{0.0f};       /**< 0..1: of what lies near its outline, the share that is above it, not below */
   bool supports_objects{false}; /**< true for the plane that objects stand on; false for other planes of the background */
 };
 
@@ -37,5 +39,18 @@ estimateDepthNoise (const OrganizedCloud& cloud);
 PCL_ATTENTION_EXPORTS std::vector<SupportingPlane>
 findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
                       const PatchGraph& graph, const SupportParameters& parameters);
+
+/** \brief Which points stand on a plane: above it, at most half a metre, and their feet within its outline.
+  * \return 1 for those, of the cloud's size */
+PCL_ATTENTION_EXPORTS std::vector<std::uint8_t>
+findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane);
+
+/** \brief Cut the patches along the background: its points become patches of their own, one a plane, and what is left of a
+  * patch falls into its connected pieces, of which those under minimum_size are left over.
+  * \param[in] planes in the sensor frame
+  * \return 1 at [label] for the patches that are background */
+PCL_ATTENTION_EXPORTS std::vector<std::uint8_t>
+cutAlongPlanes (const OrganizedCloud& cloud, const std::vector<SupportingPlane>& planes, const PatchParameters& parameters,
+                PlanarPatches& patches);
 
 } // namespace pcl_attention

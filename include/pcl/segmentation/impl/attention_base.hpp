@@ -85,20 +85,6 @@ AttentionBase<PointT>::setPatches (const pcl::PointCloud<pcl::Label>::ConstPtr& 
   forget ();
 }
 
-template <typename PointT> void
-AttentionBase<PointT>::setNumberOfThreads (unsigned int threads)
-{
-  threads_ = threads;
-  forget ();
-}
-
-template <typename PointT> pcl_attention::AttentionParameters&
-AttentionBase<PointT>::changeParameters ()
-{
-  forget ();
-  return (parameters_);
-}
-
 template <typename PointT> std::string
 AttentionBase<PointT>::checkInput () const
 {
@@ -183,6 +169,25 @@ AttentionBase<PointT>::run (const char* method, const Work& work)
   }
 }
 
+template <typename PointT> template <typename Work> bool
+AttentionBase<PointT>::runForSegment (const char* method, AttentionSegment& segment, const Work& work)
+{
+  const bool found = run (method, work);
+  if (found)
+    restoreLabels (segment);
+  else
+    segment = AttentionSegment ();
+  return (found);
+}
+
+template <typename PointT> bool
+AttentionBase<PointT>::runAt (const char* method, const AttentionPoint& point, AttentionSegment& segment)
+{
+  return (runForSegment (method, segment, [&] {
+    return (accept (method, pcl_attention::checkPoint (point, *input_)) && pipeline_.segmentAt (point, segment));
+  }));
+}
+
 template <typename PointT> bool
 AttentionBase<PointT>::accept (const char* method, const std::string& problem) const
 {
@@ -204,4 +209,4 @@ AttentionBase<PointT>::restoreLabels (AttentionSegment& segment) const
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_AttentionBase(T) template class PCL_ATTENTION_EXPORTS pcl::AttentionBase<T>;
+#define PCL_INSTANTIATE_AttentionBase(T) template class pcl::AttentionBase<T>;

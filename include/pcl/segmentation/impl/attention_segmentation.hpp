@@ -30,24 +30,16 @@ AttentionSegmentation<PointT>::segment (std::vector<AttentionSegment>& segments)
 template <typename PointT> bool
 AttentionSegmentation<PointT>::segmentNext (AttentionSegment& segment)
 {
-  segment = AttentionSegment ();
-  const bool found = run ("segmentNext", [&] { return (pipeline_.next (segment)); });
-  this->restoreLabels (segment);
-  return (found);
+  return (this->runForSegment ("segmentNext", segment, [&] { return (pipeline_.next (segment)); }));
 }
 
 template <typename PointT> bool
 AttentionSegmentation<PointT>::segmentAt (int column, int row, AttentionSegment& segment)
 {
-  segment = AttentionSegment ();
-  const bool found = run ("segmentAt", [&] {
-    AttentionPoint point;
-    point.column = column;
-    point.row = row;
-    return (accept ("segmentAt", pcl_attention::checkPoint (point, *input_)) && pipeline_.segmentAt (point, segment));
-  });
-  this->restoreLabels (segment);
-  return (found);
+  AttentionPoint point;
+  point.column = column;
+  point.row = row;
+  return (this->runAt ("segmentAt", point, segment));
 }
 
 template <typename PointT> std::vector<SupportingPlane>

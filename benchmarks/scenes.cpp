@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scenes.h"
+
+#include "scene_io.h"
+#include "scene_renderer.h"
+
+#include <pcl/common/io.h>
+
+namespace pcl_attention
+{
+
+std::vector<SceneCloud::ConstPtr>
+loadScenes (const std::vector<std::string>& paths)
+{
+  std::vector<SceneCloud::ConstPtr> clouds;
+  for (const std::string& path : paths)
+    clouds.push_back (readScene (path).cloud);
+  if (!paths.empty ())
+    return (clouds);
+  for (const SceneKind kind : {SceneKind::clutter, SceneKind::stacked, SceneKind::occluded, SceneKind::cylinders})
+  {
+    const SceneCloud::Ptr cloud (new SceneCloud);
+    pcl::copyPointCloud (*renderScene (makeScene (kind, 1), 1), *cloud);
+    clouds.push_back (cloud);
+  }
+  return (clouds);
+}
+
+} // namespace pcl_attention

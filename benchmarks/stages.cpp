@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stages.h"
+
+#include "measure.h"
+
+#include <pcl/segmentation/attention_segmentation.h>
+#include <pcl/segmentation/impl/organized_cloud.hpp>
+
+namespace pcl_attention
+{
+
+namespace
+{
+
+const AttentionParameters parameters;
+
+void
+segmentFrame (const Frame& frame, const AttentionParameters& settings, unsigned int threads)
+{
+  pcl::AttentionSegmentation<pcl::PointXYZRGB> segmentation (settings);
+  segmentation.setInputCloud (frame.scene);
+  segmentation.setNumberOfThreads (threads);
+  std::vector<AttentionSegment> segments;
+  segmentation.segment (segments);
+  benchmark::DoNotOptimize (segments);
+}
+
+void
+segmentFirstObject (const Frame& frame)
+{
+  pcl::AttentionSegmentation<pcl::PointXYZRGB> segmentation (parameters);
+  segmentation.setInputCloud (frame.scene);
+  AttentionSegment segment;
+  segmentation.segmentNext (segment);
+  benchmark::DoNotOptimize (segment);
+}
+
+} // namespace
+
+Frame::Frame (const SceneCloud::ConstPtr& input) : scene (input), cloud (gather (*input, nullptr))
+{
+  estimateNormals (cloud, parameters.normals, 1, normals);
+  computeSaliency (cloud, normals, parameters.saliency, 1, saliency);
+  extractAttentionPoints (saliency.saliency, cloud.valid, parameters.attention_points, points);
+  extractPlanarPatches (cloud, normals, parameters.patches, patches);
+  graph = buildPatchGraph (cloud, normals, patches.labels, static_cast<int> (patches.patches.size ()),
+                           parameters.patch_graph);
+}
+
+void
+measureStages (const std::vector<Frame>& frames)
+{
+  measure ("gather", frames, [] (const Frame& frame) {
+    benchmark::DoNotOptimize (gather (*frame.scene, nullptr));
+  });
+  measure ("normals/gated_window", frames, [] (const Frame& frame) {
+    NormalImage normals;
+    estimateNormals (frame.cloud, parameters.normals, 1, normals);
+  });
+  measure ("saliency", frames, [] (const Frame& frame) {
+    SaliencyMaps saliency;
+    computeSaliency (frame.cloud, frame.normals, parameters.saliency, 1, saliency);
+  });
+  measure ("attention_points", frames, [] (const Frame& frame) {
+    AttentionPoints points;
+    extractAttentionPoints (frame.saliency.saliency, frame.cloud.valid, parameters.attention_points, points);
+  });
+  measure ("patches", frames, [] (const Frame& frame) {
+    PlanarPatches patches;
+    extractPlanarPatches (frame.cloud, frame.normals, parameters.patches, patches);
+  });
+  measure ("patch_graph", frames, [] (const Frame& frame) {
+    benchmark::DoNotOptimize (buildPatchGraph (frame.cloud, frame.normals, frame.patches.labels,
+                                               static_cast<int> (frame.patches.patches.size ()),
+                                               parameters.patch_graph));
+  });
+  measure ("supporting_planes", frames, [] (const Frame& frame) {
+    benchmark::DoNotOptimize (
+        findSupportingPlanes (frame.cloud, frame.normals, frame.patches, frame.graph, parameters.support));
+  });
+  measure ("first_object", frames, segmentFirstObject);
+  measure ("frame/one_thread", frames, [] (const Frame& frame) { segmentFrame (frame, parameters, 1); });
+  measure ("frame/two_threads", frames, [] (const Frame& frame) { segmentFrame (frame, parameters, 2); });
+  measure ("frame/paper", frames, [] (const Frame& frame) { segmentFrame (frame, AttentionParameters::paper (), 1); });
+}
+
+} // namespace pcl_attention

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/segmentation/impl/attention_base.hpp>
+#include <pcl/segmentation/planar_patch_extraction.h>
+
+namespace pcl
+{
+
+template <typename PointT> bool
+PlanarPatchExtraction<PointT>::extract (std::vector<pcl::PointIndices>& patches)
+{
+  patches.clear ();
+  this->forget ();
+  const bool done = this->run ("extract", [&] {
+    for (const pcl_attention::PlanarPatch& patch : pipeline_.patches ().patches)
+    {
+      patches.emplace_back ();
+      patches.back ().header = input_->header;
+      patches.back ().indices = patch.pixels;
+    }
+    return (true);
+  });
+  if (!done)
+    patches.clear ();
+  return (done);
+}
+
+template <typename PointT> pcl::PointCloud<pcl::Label>
+PlanarPatchExtraction<PointT>::getLabels () const
+{
+  if (!this->isStarted ())
+    return {};
+  return (pcl_attention::scatter<pcl::Label> (pipeline_.patches ().labels, input_->header, &pcl::Label::label));
+}
+
+template <typename PointT> std::vector<pcl_attention::PlanarPatch>
+PlanarPatchExtraction<PointT>::getPatches () const
+{
+  if (!this->isStarted ())
+    return {};
+  std::vector<pcl_attention::PlanarPatch> patches = pipeline_.patches ().patches;
+  const Eigen::Isometry3f pose = pcl_attention::sensorPose (*input_);
+  for (pcl_attention::PlanarPatch& patch : patches)
+  {
+    patch.centroid = pose * patch.centroid;
+    patch.normal = pose.linear () * patch.normal;
+  }
+  return (patches);
+}
+
+template <typename PointT> pcl_attention::PatchGraph
+PlanarPatchExtraction<PointT>::getPatchGraph ()
+{
+  pcl_attention::PatchGraph graph;
+  if (this->isStarted ())
+    this->run ("getPatchGraph", [&] {
+      graph = pipeline_.patchGraph ();
+      return (true);
+    });
+  return (graph);
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_PlanarPatchExtraction(T) template class PCL_ATTENTION_EXPORTS pcl::PlanarPatchExtraction<T>;
