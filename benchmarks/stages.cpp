@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stages.h"
 
+#include "core/symmetry_oracle.h"
 #include "measure.h"
 
 #include <pcl/segmentation/attention_segmentation.h>
@@ -60,6 +61,14 @@ measureStages (const std::vector<Frame>& frames)
   measure ("saliency", frames, [] (const Frame& frame) {
     SaliencyMaps saliency;
     computeSaliency (frame.cloud, frame.normals, parameters.saliency, 1, saliency);
+  });
+  measure ("symmetry/finest_level", frames, [] (const Frame& frame) {
+    SymmetryMap map;
+    computeSymmetry (frame.cloud, frame.normals, parameters.saliency, 1, map);
+  });
+  // The same from the tests' transcription of the equations in double precision, which also estimates its uncertainty.
+  measure ("symmetry/double_transcription", frames, [] (const Frame& frame) {
+    benchmark::DoNotOptimize (oracle::symmetryMap (frame.cloud, frame.normals, parameters.saliency));
   });
   measure ("attention_points", frames, [] (const Frame& frame) {
     AttentionPoints points;

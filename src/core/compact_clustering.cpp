@@ -422,7 +422,7 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
     const float color = chiSquare (candidate.histogram, inside.histogram);
     const bool before = border.first_in_front >= 0.4f * border.pairs;
     const bool over_rim = border.connectedShare () >= 0.5f && border.convexity () >= 0.1f;
-    return (share >= 0.15f && color <= 0.9f && (before || over_rim) ? share * (1.05f - color) : 0.0f);
+    return (share >= 0.15f && (before || over_rim) ? share * (1.05f - color) : 0.0f);
   };
   const float own = score (wall);
   if (own <= 0.0f)

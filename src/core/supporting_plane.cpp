@@ -173,10 +173,11 @@ pointsOf (const OrganizedCloud& cloud, const NormalImage& normals, float noise, 
       continue;
     const Eigen::Vector3f point = pointAt (cloud, index);
     const float tolerance = parameters.tolerance + parameters.noise_tolerance * noise * point.z () * point.z ();
-    // The bent surface is only trusted near the plane itself.
-    if (std::abs (surface.plane.height (point)) > below + 3.0f * tolerance)
+    // The bent surface is only trusted near the plane itself, and beyond the points it was fitted to the plane is the better one.
+    const float flat_height = surface.plane.height (point), bent_height = surface.height (point);
+    if (std::abs (flat_height) > below + 3.0f * tolerance)
       continue;
-    const float height = surface.height (point);
+    const float height = std::abs (flat_height) < std::abs (bent_height) ? flat_height : bent_height;
     if (height >= tolerance || height < -std::max (below, tolerance))
       continue;
     const bool aligned = normals.valid[index] &&

@@ -116,7 +116,7 @@ struct Symmetry
   /** \brief Whether any two correct implementations must agree: elsewhere rounding decides on which side of a plane a sample
     * lies, and s (p), which jumps there, may be one value or another. */
   bool
-  isWellDefined (double largest_uncertainty = 1e-5) const
+  isWellDefined (double largest_uncertainty = 1e-4) const
   {
     return (axis_uncertainty < largest_uncertainty && axis_uncertainty < margin);
   }

@@ -186,18 +186,19 @@ TEST (AttentionPoints, TiesGoToTheirOwnSaliencyThenRowThenColumn)
 
 TEST (AttentionPoints, AllJunctionsOrTheMostSalientOne)
 {
-  Image<float> saliency = map ({"...5.....5...",
-                                "...5.....5...",
-                                "...5.....5...",
-                                "5555555555555"});
-  saliency (9, 3) = 0.6f;
+  Image<float> saliency = map ({"5...5.....5...5",
+                                ".5.5.......5.5.",
+                                "..5.........5..",
+                                "..5.........5..",
+                                "...555555555..."});
+  saliency (12, 2) = 0.6f;
   const AttentionPoints all = pointsOf (saliency);
-  EXPECT_EQ (pixelsOf (all), (std::vector<Pixel>{{9, 3}, {3, 3}}));
+  EXPECT_EQ (pixelsOf (all), (std::vector<Pixel>{{12, 2}, {2, 2}}));
   for (const AttentionPoint& point : all.points)
     EXPECT_EQ (point.kind, AttentionPointKind::junction);
   AttentionPointParameters parameters;
   parameters.all_junctions = false;
-  EXPECT_EQ (pixelsOf (pointsOf (saliency, parameters)), (std::vector<Pixel>{{9, 3}}));
+  EXPECT_EQ (pixelsOf (pointsOf (saliency, parameters)), (std::vector<Pixel>{{12, 2}}));
 }
 
 TEST (AttentionPoints, LieOnValidPixelsOnly)

@@ -77,6 +77,11 @@ expectSkeleton (const Picture& mask, const Picture& skeleton)
             << "the pixel " << c << " " << r << " of a full square could go\n" << pictures::draw (skeleton);
         }
     }
+}
+
+void
+expectStable (const Picture& skeleton)
+{
   EXPECT_EQ (thin (skeleton).data, skeleton.data) << "thinning a skeleton changes it\n" << pictures::draw (skeleton);
 }
 
@@ -228,8 +233,9 @@ TEST (Thinning, KeepsAtLeastOnePixelOfEveryThing)
          {"...", ".#.", "..."}, {"....", ".##.", ".##.", "...."}, {"###", "###", "###"}, {"##"}, {"#"}, {"#", "#"},
          {"##", "##"}, {"##..", "##..", "..##", "..##"}, {".##.", "####", "####", ".##."}, {"#.#.#.#"}})
   {
-    const Picture mask = picture (rows);
-    expectSkeleton (mask, thin (mask));
+    const Picture mask = picture (rows), skeleton = thin (mask);
+    expectSkeleton (mask, skeleton);
+    expectStable (skeleton);
   }
 }
 
@@ -247,8 +253,9 @@ TEST (Thinning, KeepsTheNumberOfRegionsOfRandomBlobs)
   for (unsigned seed = 0; seed < 60; ++seed)
   {
     SCOPED_TRACE (seed);
-    const Picture mask = randomBlobs (seed, 80, 60);
-    expectSkeleton (mask, thin (mask));
+    const Picture mask = randomBlobs (seed, 80, 60), skeleton = thin (mask);
+    expectSkeleton (mask, skeleton);
+    expectStable (skeleton);
     if (HasFailure ())
       return;
   }
@@ -260,6 +267,20 @@ TEST (Thinning, KeepsTheNumberOfRegionsOfRandomPixels)
   {
     SCOPED_TRACE (seed);
     const Picture mask = randomPicture (seed, 24, 20, 0.2 + 0.0035 * seed);
+    expectSkeleton (mask, thin (mask));
+    if (HasFailure ())
+      return;
+  }
+}
+
+TEST (Thinning, KeepsTheNumberOfRegionsOfEveryPictureOfFourByFourPixels)
+{
+  for (int bits = 0; bits < 65536; ++bits)
+  {
+    Picture mask (4, 4, 0);
+    for (int bit = 0; bit < 16; ++bit)
+      mask[bit] = bits >> bit & 1;
+    SCOPED_TRACE (pictures::draw (mask));
     expectSkeleton (mask, thin (mask));
     if (HasFailure ())
       return;

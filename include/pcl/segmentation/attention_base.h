@@ -79,8 +79,9 @@ protected:
   clearAttentionPoints ();
 
   /** \brief Bring patches: a label per point, of the cloud's size; 0 is no patch, every other value is a patch of its own.
-    * Null goes back to extracting them (paper IV-A). Segments name patches by these labels; they are int there, to be
-    * converted back to std::uint32_t where labels exceed it. */
+    * Null goes back to extracting them (paper IV-A). As those, they are cut along the planes of the background unless
+    * \ref pcl_attention::ClusteringParameters::stay_off_support is off. Segments name patches by these labels; they are int
+    * there, to be converted back to std::uint32_t where labels exceed it. */
   void
   setPatches (const pcl::PointCloud<pcl::Label>::ConstPtr& patches);
 
@@ -176,7 +177,7 @@ protected:
 
   /** \brief Name the patches of a segment by the labels that the user gave them. */
   void
-  restoreLabels (AttentionSegment& segment) const;
+  restoreLabels (AttentionSegment& segment);
 
   /** \brief The stages. A getter may be the first to ask for a result. */
   mutable pcl_attention::AttentionPipeline pipeline_;
@@ -194,7 +195,8 @@ private:
   pcl::PointCloud<pcl::Intensity>::ConstPtr saliency_;
   pcl::PointCloud<pcl::Label>::ConstPtr patches_;
   std::optional<std::vector<AttentionPoint>> attention_points_;
-  std::vector<std::uint32_t> patch_names_; /**< the user's label of patch k at [k]; empty when the patches are not the user's */
+  pcl::PointCloud<pcl::Label> patch_labels_; /**< the user's, as they were when the frame was started */
+  std::vector<int> patch_names_;             /**< the user's label of patch k at [k]; empty until asked for */
   bool started_{false};
 };
 

@@ -38,8 +38,8 @@ public:
   using AttentionBase<PointT>::setPatches;
   using AttentionBase<PointT>::setNumberOfThreads;
 
-  /** \brief The user's points come first, in the given order; those in an earlier segment are skipped, and patches that none of
-    * them claims come after, unless \ref pcl_attention::SegmentationParameters switches that off. */
+  /** \brief The user's points come first, in the given order; those that lead to an earlier segment are skipped, and patches
+    * that none of them claims come after, unless \ref pcl_attention::SegmentationParameters switches that off. */
   using AttentionBase<PointT>::setAttentionPoints;
   using AttentionBase<PointT>::clearAttentionPoints;
 
@@ -70,8 +70,8 @@ public:
   std::vector<SupportingPlane>
   getSupportingPlanes ();
 
-  /** \brief The stages behind the segments: saliency, points, patches, graph and times. Null before a frame is started. The
-    * user's own patches are numbered 1, 2, ... there, in ascending order of their labels. */
+  /** \brief The stages behind the segments: saliency, points, patches, graph and times. Null before a frame is started.
+    * Patches are numbered 1, 2, ... there, also the user's own. */
   pcl_attention::AttentionPipeline*
   getPipeline () { return (this->isStarted () ? &pipeline_ : nullptr); }
 

@@ -61,6 +61,9 @@ protected:
 
   std::string
   getClassName () const override { return ("PlanarPatchExtraction"); }
+
+private:
+  pcl_attention::PlanarPatches patches_; /**< in the sensor frame; of the frame that is started */
 };
 
 } // namespace pcl

@@ -117,15 +117,19 @@ AttentionBase<PointT>::start ()
   if (normals_)
     flat_normals = pcl_attention::gather (*normals_, pose, flat);
   std::optional<pcl_attention::PlanarPatches> flat_patches;
+  patch_labels_ = patches_ ? *patches_ : pcl::PointCloud<pcl::Label> ();
   patch_names_.clear ();
   if (patches_)
   {
     flat_patches.emplace ();
-    flat_patches->labels = pcl_attention::gather (*patches_, flat, patch_names_);
+    flat_patches->labels = pcl_attention::gather (*patches_, flat);
   }
+  pcl_attention::AttentionParameters frame_parameters = parameters_;
+  if (attention_points_)
+    frame_parameters.segmentation.prefer_supported = false; // The user's order stands.
 
   const unsigned int threads = threads_ > 0 ? threads_ : std::max (1u, std::thread::hardware_concurrency ());
-  pipeline_.start (std::move (flat), pose, parameters_, static_cast<int> (threads));
+  pipeline_.start (std::move (flat), pose, frame_parameters, static_cast<int> (threads));
   if (flat_normals)
     pipeline_.setNormals (std::move (*flat_normals));
   if (flat_patches)
@@ -172,10 +176,13 @@ AttentionBase<PointT>::run (const char* method, const Work& work)
 template <typename PointT> template <typename Work> bool
 AttentionBase<PointT>::runForSegment (const char* method, AttentionSegment& segment, const Work& work)
 {
-  const bool found = run (method, work);
-  if (found)
+  const bool found = run (method, [&] {
+    if (!work ())
+      return (false);
     restoreLabels (segment);
-  else
+    return (true);
+  });
+  if (!found)
     segment = AttentionSegment ();
   return (found);
 }
@@ -197,14 +204,24 @@ AttentionBase<PointT>::accept (const char* method, const std::string& problem) c
 }
 
 template <typename PointT> void
-AttentionBase<PointT>::restoreLabels (AttentionSegment& segment) const
+AttentionBase<PointT>::restoreLabels (AttentionSegment& segment)
 {
-  if (patch_names_.empty ())
+  if (patch_labels_.empty ())
     return;
-  for (int& patch : segment.patches)
-    patch = static_cast<int> (patch_names_[patch]);
+  if (patch_names_.empty ())
+  {
+    patch_names_.push_back (0);
+    for (const pcl_attention::PlanarPatch& patch : pipeline_.patches ().patches)
+      patch_names_.push_back (static_cast<int> (pcl_attention::commonLabel (patch_labels_, patch.pixels)));
+  }
   for (pcl_attention::GrowthStep& step : segment.steps)
-    step.patch = static_cast<int> (patch_names_[step.patch]);
+    step.patch = patch_names_[step.patch];
+  // The background may have cut a patch of the user's into several.
+  std::vector<int> names;
+  for (const int patch : segment.patches)
+    if (std::find (names.begin (), names.end (), patch_names_[patch]) == names.end ())
+      names.push_back (patch_names_[patch]);
+  segment.patches = std::move (names);
 }
 
 } // namespace pcl

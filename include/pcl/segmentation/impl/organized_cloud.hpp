@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 // The way between PCL's clouds and the flat arrays of the core. The checks return what is wrong and what to do about it, or an
@@ -223,23 +225,38 @@ gather (const pcl::PointCloud<pcl::Intensity>& saliency)
 }
 
 /** \brief Gather patch labels: whatever they are, they become 1, 2, ... in ascending order. Points that are not valid get none.
-  * \param[in] cloud the gathered points
-  * \param[out] names the label that k was made of at [k], 0 at [0] */
+  * \param[in] cloud the gathered points */
 inline Image<int>
-gather (const pcl::PointCloud<pcl::Label>& labels, const OrganizedCloud& cloud, std::vector<std::uint32_t>& names)
+gather (const pcl::PointCloud<pcl::Label>& labels, const OrganizedCloud& cloud)
 {
-  names = {0};
+  std::vector<std::uint32_t> values{0};
   for (std::size_t index = 0; index < labels.size (); ++index)
-    if (cloud.valid[index] && labels[index].label != names.back ())
-      names.push_back (labels[index].label);
-  std::sort (names.begin (), names.end ());
-  names.erase (std::unique (names.begin (), names.end ()), names.end ());
+    if (cloud.valid[index] && labels[index].label != values.back ())
+      values.push_back (labels[index].label);
+  std::sort (values.begin (), values.end ());
+  values.erase (std::unique (values.begin (), values.end ()), values.end ());
 
   Image<int> flat (cloud.width, cloud.height, 0);
   for (std::size_t index = 0; index < labels.size (); ++index)
     if (cloud.valid[index])
-      flat[index] = static_cast<int> (std::lower_bound (names.begin (), names.end (), labels[index].label) - names.begin ());
+      flat[index] =
+        static_cast<int> (std::lower_bound (values.begin (), values.end (), labels[index].label) - values.begin ());
   return (flat);
+}
+
+/** \brief The label that most of a patch's labelled points had; 0 when none had one. */
+inline std::uint32_t
+commonLabel (const pcl::PointCloud<pcl::Label>& labels, const pcl::Indices& pixels)
+{
+  std::map<std::uint32_t, std::size_t> counts;
+  for (const pcl::index_t pixel : pixels)
+    if (labels[pixel].label != 0)
+      ++counts[labels[pixel].label];
+  std::pair<std::uint32_t, std::size_t> best{0, 0};
+  for (const auto& count : counts)
+    if (count.second > best.second)
+      best = count;
+  return (best.first);
 }
 
 /** \brief Turn an image into a cloud of one field, e.g. scatter<pcl::Label> (image, header, &pcl::Label::label). */

@@ -13,7 +13,9 @@ PlanarPatchExtraction<PointT>::extract (std::vector<pcl::PointIndices>& patches)
   patches.clear ();
   this->forget ();
   const bool done = this->run ("extract", [&] {
-    for (const pcl_attention::PlanarPatch& patch : pipeline_.patches ().patches)
+    // Those of the pipeline would already be cut along the planes of the background.
+    pcl_attention::extractPlanarPatches (pipeline_.cloud (), pipeline_.normals (), this->getPatchParameters (), patches_);
+    for (const pcl_attention::PlanarPatch& patch : patches_.patches)
     {
       patches.emplace_back ();
       patches.back ().header = input_->header;
@@ -31,7 +33,7 @@ PlanarPatchExtraction<PointT>::getLabels () const
 {
   if (!this->isStarted ())
     return {};
-  return (pcl_attention::scatter<pcl::Label> (pipeline_.patches ().labels, input_->header, &pcl::Label::label));
+  return (pcl_attention::scatter<pcl::Label> (patches_.labels, input_->header, &pcl::Label::label));
 }
 
 template <typename PointT> std::vector<pcl_attention::PlanarPatch>
@@ -39,7 +41,7 @@ PlanarPatchExtraction<PointT>::getPatches () const
 {
   if (!this->isStarted ())
     return {};
-  std::vector<pcl_attention::PlanarPatch> patches = pipeline_.patches ().patches;
+  std::vector<pcl_attention::PlanarPatch> patches = patches_.patches;
   const Eigen::Isometry3f pose = pcl_attention::sensorPose (*input_);
   for (pcl_attention::PlanarPatch& patch : patches)
   {
@@ -55,7 +57,8 @@ PlanarPatchExtraction<PointT>::getPatchGraph ()
   pcl_attention::PatchGraph graph;
   if (this->isStarted ())
     this->run ("getPatchGraph", [&] {
-      graph = pipeline_.patchGraph ();
+      graph = pcl_attention::buildPatchGraph (pipeline_.cloud (), pipeline_.normals (), patches_.labels,
+                                              static_cast<int> (patches_.patches.size ()), getPatchGraphParameters ());
       return (true);
     });
   return (graph);
