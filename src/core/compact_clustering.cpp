@@ -53,7 +53,8 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   patches_ (patches),
   graph_ (graph),
   support_patches_ (support_patches),
-  parameters_ (parameters)
+  parameters_ (parameters),
+  focal_length_ (estimateFocalLength (cloud))
 {
   const std::size_t count = patches.patches.size () + 1;
   samples_.resize (count);
@@ -136,7 +137,7 @@ CompactClustering::initialPatches (const AttentionPoint& point) const
 }
 
 void
-CompactClustering::addPatch (int label, Piece& piece)
+CompactClustering::addPatch (int label, Piece& piece, std::vector<Eigen::Vector3f>&& hull_vertices)
 {
   if (piece.member.empty ())
     piece.member.assign (patches_.patches.size () + 1, 0);
@@ -152,10 +153,7 @@ CompactClustering::addPatch (int label, Piece& piece)
   for (const int neighbor : graph_.neighbors[label])
     if (!piece.member[neighbor])
       piece.borders[neighbor] += graph_.border (label, neighbor);
-  std::vector<Eigen::Vector3f> vertices = piece.hull_vertices;
-  const std::vector<Eigen::Vector3f>& added = hullVertices (label);
-  vertices.insert (vertices.end (), added.begin (), added.end ());
-  piece.hull_vertices = computeVisibleHull (vertices).vertices;
+  piece.hull_vertices = hull_vertices.empty () ? unitedHull (label, piece).vertices : std::move (hull_vertices);
   piece.histogram += histograms_[label];
   piece.pixels += static_cast<int> (patches_.patches[label - 1].pixels.size ());
   piece.hollowness = hollowness (piece);
@@ -185,18 +183,24 @@ CompactClustering::hollowness (const Piece& piece) const
   return (weights > 0.0f ? sum / weights : 0.0f);
 }
 
-float
-CompactClustering::compactnessWith (int label, const Piece& piece, bool hollow)
+VisibleHull
+CompactClustering::unitedHull (int label, const Piece& piece)
 {
-  std::vector<Eigen::Vector3f> vertices = piece.hull_vertices, points;
+  std::vector<Eigen::Vector3f> vertices = piece.hull_vertices;
   const std::vector<Eigen::Vector3f>& added = hullVertices (label);
   vertices.insert (vertices.end (), added.begin (), added.end ());
+  return (computeVisibleHull (vertices));
+}
+
+float
+CompactClustering::compactnessWith (int label, const Piece& piece, const VisibleHull& hull, bool hollow) const
+{
+  std::vector<Eigen::Vector3f> points;
   for (const int member : piece.patches)
     for (const Sample& sample : samples_[member])
       points.push_back (sample.point);
   for (const Sample& sample : samples_[label])
     points.push_back (sample.point);
-  const VisibleHull hull = computeVisibleHull (vertices);
   return (hollow ? hollowCompactness (points, hull) : compactness (points, hull));
 }
 
@@ -263,7 +267,8 @@ CompactClustering::borderConvexity (int label, const PatchBorder& border, const 
 }
 
 GrowthStep
-CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece)
+CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
+                             std::vector<Eigen::Vector3f>& hull_vertices)
 {
   GrowthStep step;
   step.patch = label;
@@ -317,11 +322,13 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece)
     if (!fulfilled)
       return (refuse (GrowthConstraint::color, inside, outside));
   }
-  const float kappa = compactnessWith (label, piece, hollow);
+  VisibleHull hull = unitedHull (label, piece);
+  const float kappa = compactnessWith (label, piece, hull, hollow);
   if (kappa >= parameters_.compactness_threshold)
     return (refuse (GrowthConstraint::compactness, kappa, parameters_.compactness_threshold));
   step.value = kappa;
   step.limit = parameters_.compactness_threshold;
+  hull_vertices = std::move (hull.vertices);
   return (step);
 }
 
@@ -355,12 +362,13 @@ CompactClustering::growOverBorders (Piece& piece, std::vector<GrowthStep>* steps
         break;
       const PatchBorder border = piece.borders[best];
       tried[best] = border.pairs;
-      const GrowthStep step = tryPatch (best, border, piece);
+      std::vector<Eigen::Vector3f> hull_vertices;
+      const GrowthStep step = tryPatch (best, border, piece, hull_vertices);
       if (steps)
         steps->push_back (step);
       if (step.refused_by == GrowthConstraint::none)
       {
-        addPatch (best, piece);
+        addPatch (best, piece, std::move (hull_vertices));
         grown = true;
       }
     }
@@ -404,6 +412,32 @@ CompactClustering::isFragmentOf (const Piece& object, const Piece& piece)
   for (const auto& [label, other] : piece.borders)
     if (!object.member[label] && !isSupport (label) && borderBetween (pieceAt (label), piece).connected > border.connected)
       return (false);
+  return (true);
+}
+
+bool
+CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
+{
+  constexpr float thin = 0.02f;
+  if (piece.pixels >= object.pixels)
+    return (false);
+  // The contour is counted in four directions, so that a strip of w pixels has four pairs for every w pixels of its area.
+  const float depth = patches_.patches[piece.patches.front () - 1].centroid.z ();
+  const float width = 4.0f * static_cast<float> (piece.pixels) / std::max (1, piece.perimeter) * depth / focal_length_;
+  if (!(width < thin))
+    return (false);
+  const PatchBorder border = borderBetween (object, piece);
+  if (border.connected < 0.05f * piece.perimeter)
+    return (false);
+  for (const auto& [label, other] : piece.borders)
+  {
+    if (object.member[label])
+      continue;
+    // What stands on the table itself, or hangs on something else, is an object of its own.
+    const int connected = isSupport (label) ? other.connected : borderBetween (pieceAt (label), piece).connected;
+    if (connected > border.connected)
+      return (false);
+  }
   return (true);
 }
 
@@ -516,33 +550,42 @@ CompactClustering::joinPiece (Piece& object)
   // Neighbours first, then what lies behind a common neighbour.
   std::set<int> seen;
   std::vector<const Piece*> neighbors, beyond;
-  const auto collect = [&] (const std::map<int, PatchBorder>& borders, std::vector<const Piece*>& pieces) {
+  const auto collect = [&] (const std::map<int, PatchBorder>& borders, int smallest, std::vector<const Piece*>& pieces) {
     for (const auto& [label, border] : borders)
     {
-      if (object.member[label] || seen.count (label) || (parameters_.stay_off_support && isSupport (label)))
+      if (object.member[label] || seen.count (label) || (parameters_.stay_off_support && isSupport (label)) ||
+          static_cast<int> (patches_.patches[label - 1].pixels.size ()) < smallest)
         continue;
       const Piece& piece = pieceAt (label);
       seen.insert (piece.patches.begin (), piece.patches.end ());
-      const bool overlaps = std::any_of (piece.patches.begin (), piece.patches.end (),
-                                         [&] (int patch) { return (object.member[patch]); });
-      if (!overlaps)
+      int common = 0;
+      for (const int patch : piece.patches)
+        if (object.member[patch])
+          common += static_cast<int> (patches_.patches[patch - 1].pixels.size ());
+      if (2 * common < piece.pixels)
         pieces.push_back (&piece);
     }
   };
-  collect (object.borders, neighbors);
+  collect (object.borders, 0, neighbors);
   const auto join = [&] (const Piece& piece) {
     for (const int label : piece.patches)
-      addPatch (label, object);
+      if (!object.member[label])
+        addPatch (label, object);
     return (true);
   };
+  const auto belong = [&] (const Piece& whole, const Piece& part) {
+    return ((parameters_.absorb_size > 0 && isFragmentOf (whole, part)) ||
+            (parameters_.join_handles && isHandleOf (whole, part)) ||
+            (parameters_.join_enclosed && isEnclosedBy (whole, part)));
+  };
   for (const Piece* piece : neighbors)
-    if (isFragmentOf (object, *piece) || (parameters_.join_hollows && (isFloorOf (object, *piece) || isHollowOf (object, *piece))) ||
-        (parameters_.join_enclosed && isEnclosedBy (object, *piece)))
+    if (belong (object, *piece) || belong (*piece, object) ||
+        (parameters_.join_hollows && (isFloorOf (object, *piece) || isHollowOf (object, *piece))))
       return (join (*piece));
   if (!parameters_.join_occluded)
     return (false);
   for (const Piece* piece : neighbors)
-    collect (piece->borders, beyond);
+    collect (piece->borders, parameters_.absorb_size, beyond);
   for (const Piece* piece : beyond)
     if (isBehindSameOccluder (object, *piece))
       return (join (*piece));

@@ -64,12 +64,13 @@ private:
   Eigen::Vector3f
   point (int index) const { return {cloud_.x[index], cloud_.y[index], cloud_.z[index]}; }
 
-  /** \brief The pixel sample_distance steps inside the patch, nearer if the patch ends before; -1 under 2 steps. */
+  /** \brief The pixel sample_distance steps inside the patch, nearer if the patch ends before.
+    * \param[out] reached how many steps */
   int
-  inside (int index, int step) const
+  inside (int index, int step, int& reached) const
   {
     const int label = labels_[index];
-    int reached = 0;
+    reached = 0;
     const int column_step = ((step % labels_.width) + labels_.width + 1) % labels_.width - 1;
     const int row_step = (step - column_step) / labels_.width;
     int column = index % labels_.width, row = index / labels_.width;
@@ -80,7 +81,7 @@ private:
       row += row_step;
       ++reached;
     }
-    return (reached < std::min (2, parameters_.sample_distance) ? -1 : row * labels_.width + column);
+    return (row * labels_.width + column);
   }
 
   void
@@ -103,8 +104,11 @@ private:
       return;
     }
     ++border.connected;
-    const int inside_first = inside (first, -step), inside_second = inside (second, step);
-    if (inside_first < 0 || inside_second < 0 || !normals_.valid[inside_first] || !normals_.valid[inside_second])
+    // Normals at the very border are mixed from both sides; one of them may be, on a strip along an edge.
+    constexpr int deep = 2;
+    int reached_first, reached_second;
+    const int inside_first = inside (first, -step, reached_first), inside_second = inside (second, step, reached_second);
+    if (std::max (reached_first, reached_second) < deep || !normals_.valid[inside_first] || !normals_.valid[inside_second])
       return;
     const Eigen::Vector3f direction = (point (inside_second) - point (inside_first)).normalized ();
     const Eigen::Vector3f difference (normals_.x[inside_second] - normals_.x[inside_first],

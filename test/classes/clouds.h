@@ -103,7 +103,7 @@ crossMap (std::uint32_t width, std::uint32_t height, int center_column, int cent
     {
       const int right = std::abs (column - center_column), down = std::abs (row - center_row);
       if (std::min (right, down) <= 1 && std::max (right, down) <= 15)
-        map->at (column, row).intensity = value;
+        (*map)[row * width + column].intensity = value;
     }
   return (map);
 }

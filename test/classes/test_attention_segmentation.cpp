@@ -1,1 +1,358 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "clouds.h"
+#include <pcl/segmentation/attention_point_extraction.h>
+#include <pcl/segmentation/attention_segmentation.h>
+#include <pcl/segmentation/compact_patch_clustering.h>
+#include <pcl/segmentation/planar_patch_extraction.h>
+#include <pcl/segmentation/symmetry_saliency_estimation.h>
+
+namespace
+{
+
+class Segmentation : public testing::Test
+{
+protected:
+  void
+  SetUp () override { segmentation.setInputCloud (sceneCloud ()); }
+
+  std::vector<pcl::AttentionSegment>
+  segment ()
+  {
+    std::vector<pcl::AttentionSegment> segments (2);
+    EXPECT_TRUE (segmentation.segment (segments));
+    return (segments);
+  }
+
+  void
+  expectError (const std::string& message)
+  {
+    std::vector<pcl::AttentionSegment> segments (2);
+    const std::string errors = errorsOf ([&] { EXPECT_FALSE (segmentation.segment (segments)); });
+    EXPECT_TRUE (segments.empty ());
+    EXPECT_TRUE (contains (errors, "[pcl::AttentionSegmentation::segment] " + message));
+  }
+
+  /** \brief Every point gives its segment, and nothing else does. */
+  static pcl_attention::AttentionParameters
+  pointByPoint ()
+  {
+    pcl_attention::AttentionParameters parameters;
+    parameters.segmentation.prefer_supported = false;
+    parameters.segmentation.inhibition_of_return = false;
+    parameters.segmentation.fixation_margin = 0;
+    parameters.segmentation.coverage = false;
+    parameters.segmentation.minimum_segment_size = 1;
+    return (parameters);
+  }
+
+  pcl::AttentionSegmentation<PointT> segmentation;
+};
+
+} // namespace
+
+TEST_F (Segmentation, GivesOneObjectAfterTheOther)
+{
+  const std::vector<pcl::AttentionSegment> all = segment ();
+  ASSERT_GE (all.size (), 3u);
+  pcl::AttentionSegmentation<PointT> other;
+  other.setInputCloud (sceneCloud ());
+  std::vector<pcl::AttentionSegment> sequence;
+  pcl::AttentionSegment next;
+  while (other.segmentNext (next))
+    sequence.push_back (next);
+  expectSame (sequence, all);
+  EXPECT_TRUE (next.indices.empty ()) << "cleared at the end";
+  EXPECT_FALSE (other.segmentNext (next)) << "the end stays the end";
+  other.setInputCloud (sceneCloud ());
+  ASSERT_TRUE (other.segmentNext (next)) << "a frame starts afresh";
+  expectSame (next, all.front ());
+}
+
+TEST_F (Segmentation, GivesAllObjectsAlsoAfterSome)
+{
+  const std::vector<pcl::AttentionSegment> all = segment ();
+  pcl::AttentionSegment next;
+  segmentation.setInputCloud (sceneCloud ());
+  ASSERT_TRUE (segmentation.segmentNext (next));
+  expectSame (segment (), all);
+}
+
+TEST_F (Segmentation, IsNotDisturbedByAQuestion)
+{
+  const std::vector<pcl::AttentionSegment> all = segment ();
+  ASSERT_GE (all.size (), 3u);
+  segmentation.setInputCloud (sceneCloud ());
+  for (std::size_t k = 0; k < all.size (); ++k)
+  {
+    const pcl::AttentionPoint& last = all[all.size () - 1 - k].attention_point;
+    pcl::AttentionSegment asked, again, next;
+    EXPECT_TRUE (segmentation.segmentAt (last.column, last.row, asked));
+    EXPECT_EQ (asked.attention_point.kind, pcl_attention::AttentionPointKind::user);
+    ASSERT_TRUE (segmentation.segmentNext (next));
+    expectSame (next, all[k]);
+    EXPECT_TRUE (segmentation.segmentAt (last.column, last.row, again));
+    expectSame (asked, again);
+  }
+}
+
+TEST_F (Segmentation, AnswersQuestionsOutsideTheImage)
+{
+  for (const auto& [column, row] : {std::pair<int, int>{-1, 5}, {320, 5}, {5, -1}, {5, 240}})
+  {
+    pcl::AttentionSegment segment;
+    segment.indices = {1, 2, 3};
+    bool found = true;
+    const std::string errors = errorsOf ([&, c = column, r = row] { found = segmentation.segmentAt (c, r, segment); });
+    EXPECT_FALSE (found);
+    EXPECT_TRUE (segment.indices.empty ());
+    EXPECT_TRUE (contains (errors, "[pcl::AttentionSegmentation::segmentAt] The pixel (" + std::to_string (column)));
+  }
+}
+
+TEST_F (Segmentation, ReportsErrorsOneByOneToo)
+{
+  segmentation.setInputCloud (nullptr);
+  pcl::AttentionSegment segment;
+  segment.indices = {1, 2, 3};
+  std::string errors = errorsOf ([&] { EXPECT_FALSE (segmentation.segmentNext (segment)); });
+  EXPECT_TRUE (contains (errors, "[pcl::AttentionSegmentation::segmentNext] No input cloud"));
+  EXPECT_TRUE (segment.indices.empty ());
+  errors = errorsOf ([&] { EXPECT_TRUE (segmentation.getSupportingPlanes ().empty ()); });
+  EXPECT_TRUE (contains (errors, "[pcl::AttentionSegmentation::getSupportingPlanes] No input cloud"));
+  EXPECT_EQ (segmentation.getPipeline (), nullptr);
+}
+
+TEST_F (Segmentation, ForgetsTheFrameWhenAnythingIsSet)
+{
+  EXPECT_EQ (segmentation.getPipeline (), nullptr);
+  segment ();
+  EXPECT_NE (segmentation.getPipeline (), nullptr);
+  segmentation.setInputCloud (renderCloud (pcl_attention::SceneKind::boxes, 1, 64, 48));
+  EXPECT_EQ (segmentation.getPipeline (), nullptr);
+  segment ();
+  segmentation.setParameters (pcl_attention::AttentionParameters::paper ());
+  EXPECT_EQ (segmentation.getPipeline (), nullptr);
+}
+
+TEST_F (Segmentation, IsTheChainOfTheFourClasses)
+{
+  // By hand ...
+  pcl::SymmetrySaliencyEstimation<PointT> estimation;
+  estimation.setInputCloud (sceneCloud ());
+  const pcl::PointCloud<pcl::Intensity>::Ptr saliency (new pcl::PointCloud<pcl::Intensity>);
+  ASSERT_TRUE (estimation.compute (*saliency));
+
+  pcl::AttentionPointExtraction<PointT> point_extraction;
+  point_extraction.setInputCloud (sceneCloud ());
+  point_extraction.setSaliency (saliency);
+  std::vector<pcl::AttentionPoint> points;
+  ASSERT_TRUE (point_extraction.extract (points));
+
+  pcl::PlanarPatchExtraction<PointT> patch_extraction;
+  patch_extraction.setInputCloud (sceneCloud ());
+  std::vector<pcl::PointIndices> patches;
+  ASSERT_TRUE (patch_extraction.extract (patches));
+
+  pcl::CompactPatchClustering<PointT> clustering;
+  clustering.setInputCloud (sceneCloud ());
+  clustering.setPatches (pcl::PointCloud<pcl::Label>::Ptr (new pcl::PointCloud<pcl::Label> (patch_extraction.getLabels ())));
+  clustering.setAttentionPoints (points);
+  std::vector<pcl::AttentionSegment> by_hand;
+  errorsOf ([&] { ASSERT_TRUE (clustering.segment (by_hand)); });
+
+  // ... and at once.
+  segmentation.setParameters (pointByPoint ());
+  const std::vector<pcl::AttentionSegment> at_once = segment ();
+  pcl_attention::AttentionPipeline& pipeline = *segmentation.getPipeline ();
+  ASSERT_EQ (pipeline.saliency ().saliency.size (), saliency->size ());
+  for (std::size_t index = 0; index < saliency->size (); ++index)
+    ASSERT_EQ (pipeline.saliency ().saliency[index], (*saliency)[index].intensity);
+  ASSERT_EQ (pipeline.attentionPoints ().points.size (), points.size ());
+  for (std::size_t k = 0; k < points.size (); ++k)
+  {
+    EXPECT_EQ (pipeline.attentionPoints ().points[k].column, points[k].column);
+    EXPECT_EQ (pipeline.attentionPoints ().points[k].row, points[k].row);
+  }
+  ASSERT_EQ (at_once.size (), by_hand.size ());
+  for (std::size_t k = 0; k < at_once.size (); ++k)
+  {
+    EXPECT_EQ (at_once[k].indices, by_hand[k].indices);
+    EXPECT_EQ (at_once[k].rank, by_hand[k].rank);
+    EXPECT_EQ (at_once[k].box.center, by_hand[k].box.center);
+    EXPECT_EQ (at_once[k].box.size, by_hand[k].box.size);
+    EXPECT_EQ (at_once[k].compactness, by_hand[k].compactness);
+    EXPECT_EQ (at_once[k].attention_point.saliency, by_hand[k].attention_point.saliency);
+  }
+}
+
+TEST_F (Segmentation, MovesWithCloudAndSensor)
+{
+  const std::vector<pcl::AttentionSegment> still = segment ();
+  const std::vector<pcl::SupportingPlane> still_planes = segmentation.getSupportingPlanes ();
+  const Eigen::Isometry3f motion = someMotion ();
+  segmentation.setInputCloud (moved (*sceneCloud (), motion));
+  const std::vector<pcl::AttentionSegment> after = segment ();
+  const std::vector<pcl::SupportingPlane> planes = segmentation.getSupportingPlanes ();
+  ASSERT_EQ (after.size (), still.size ());
+  const auto movedPlane = [&] (const Eigen::Vector4f& plane) {
+    Eigen::Vector4f result;
+    result << motion.linear () * plane.head<3> (), plane[3] - (motion.linear () * plane.head<3> ()).dot (motion.translation ());
+    return (result);
+  };
+  for (std::size_t k = 0; k < still.size (); ++k)
+  {
+    EXPECT_GT (overlap (still[k].indices, after[k].indices), 0.98);
+    EXPECT_LT ((movedPlane (still[k].plane) - after[k].plane).norm (), 0.05f);
+    EXPECT_LT ((motion * still[k].box.center - after[k].box.center).norm (), 0.005f);
+    EXPECT_LT ((still[k].box.size - after[k].box.size).norm (), 0.01f);
+    const Eigen::Vector3f axis = motion.linear () * still[k].box.orientation.toRotationMatrix ().col (0);
+    EXPECT_GT (std::abs (axis.dot (after[k].box.orientation.toRotationMatrix ().col (0))), 0.999f);
+  }
+  ASSERT_EQ (planes.size (), still_planes.size ());
+  for (std::size_t k = 0; k < planes.size (); ++k)
+    EXPECT_LT ((movedPlane (still_planes[k].coefficients) - planes[k].coefficients).norm (), 0.01f);
+}
+
+TEST_F (Segmentation, UsesTheSaliencyItIsGiven)
+{
+  const std::vector<pcl::AttentionSegment> own = segment ();
+  const pcl::AttentionPoint target = own.back ().attention_point;
+  pcl_attention::AttentionParameters parameters;
+  parameters.segmentation.coverage = false;
+  parameters.segmentation.fixation_margin = 0;
+  segmentation.setParameters (parameters);
+  segmentation.setSaliency (crossMap (320, 240, target.column, target.row));
+  const std::vector<pcl::AttentionSegment> segments = segment ();
+  ASSERT_EQ (segments.size (), 1u);
+  EXPECT_NEAR (segments[0].attention_point.column, target.column, 1);
+  EXPECT_NEAR (segments[0].attention_point.row, target.row, 1);
+  EXPECT_EQ (segments[0].attention_point.saliency, 1.0f);
+
+  segmentation.setSaliency (pcl::PointCloud<pcl::Intensity>::Ptr (new pcl::PointCloud<pcl::Intensity> (10, 10)));
+  expectError ("The saliency map is 10 x 10 with 100 values, but the input cloud is 320 x 240");
+  const pcl::PointCloud<pcl::Intensity>::Ptr negative = crossMap (320, 240, 100, 100);
+  negative->at (1, 2).intensity = -1.0f;
+  segmentation.setSaliency (negative);
+  expectError ("The saliency at column 1, row 2 is -1.000000");
+  segmentation.setSaliency (nullptr);
+  segmentation.setParameters ({});
+  expectSame (segment (), own);
+}
+
+TEST_F (Segmentation, UsesThePointsItIsGiven)
+{
+  const std::vector<pcl::AttentionSegment> own = segment ();
+  ASSERT_GE (own.size (), 2u);
+  segmentation.setParameters (pointByPoint ());
+  const std::vector<pcl::AttentionPoint> points{own[1].attention_point, own[0].attention_point};
+  segmentation.setAttentionPoints (points);
+  const std::vector<pcl::AttentionSegment> segments = segment ();
+  ASSERT_EQ (segments.size (), 2u);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    EXPECT_EQ (segments[k].attention_point.column, points[k].column);
+    EXPECT_EQ (segments[k].attention_point.row, points[k].row);
+    EXPECT_TRUE (std::binary_search (segments[k].indices.begin (), segments[k].indices.end (),
+                                     indexOf (points[k], *sceneCloud ())));
+  }
+  segmentation.setAttentionPoints ({});
+  EXPECT_TRUE (segment ().empty ());
+  segmentation.setAttentionPoints ({pointAt (320, 0)});
+  expectError ("The pixel (320, 0) lies outside the input cloud of 320 x 240 points");
+  segmentation.clearAttentionPoints ();
+  segmentation.setParameters ({});
+  expectSame (segment (), own);
+}
+
+TEST_F (Segmentation, KeepsTheOrderOfThePointsItIsGiven)
+{
+  // Also with the default settings, which would see to what stands on the table first.
+  const std::vector<pcl::AttentionSegment> own = segment ();
+  std::vector<pcl::AttentionPoint> points;
+  for (auto segment = own.rbegin (); segment != own.rend (); ++segment)
+    points.push_back (segment->attention_point);
+  pcl_attention::AttentionParameters parameters;
+  parameters.segmentation.fixation_margin = 0;
+  parameters.segmentation.coverage = false;
+  segmentation.setParameters (parameters);
+  segmentation.setAttentionPoints (points);
+  std::size_t next = 0;
+  for (const pcl::AttentionSegment& segment : segment ())
+  {
+    while (next < points.size () &&
+           (points[next].column != segment.attention_point.column || points[next].row != segment.attention_point.row))
+      ++next;
+    EXPECT_LT (next, points.size ());
+  }
+}
+
+TEST_F (Segmentation, UsesThePatchesItIsGiven)
+{
+  const std::vector<pcl::AttentionSegment> own = segment ();
+  const pcl::AttentionPoint point = own.front ().attention_point;
+  const pcl::PointCloud<pcl::Label>::Ptr labels (new pcl::PointCloud<pcl::Label> (320, 240));
+  for (int row = point.row - 6; row <= point.row + 6; ++row)
+    for (int column = point.column - 8; column <= point.column + 8; ++column)
+      labels->at (column, row).label = 0x80000001u;
+  pcl_attention::AttentionParameters parameters = pointByPoint ();
+  parameters.clustering.stay_off_support = false;
+  segmentation.setParameters (parameters);
+  segmentation.setPatches (labels);
+  segmentation.setAttentionPoints ({point});
+  const std::vector<pcl::AttentionSegment> segments = segment ();
+  ASSERT_EQ (segments.size (), 1u);
+  ASSERT_EQ (segments[0].patches.size (), 1u);
+  EXPECT_EQ (static_cast<std::uint32_t> (segments[0].patches[0]), 0x80000001u);
+  for (const pcl::index_t index : segments[0].indices)
+    EXPECT_NE ((*labels)[index].label, 0u);
+  pcl::AttentionSegment asked;
+  ASSERT_TRUE (segmentation.segmentAt (point.column, point.row, asked));
+  EXPECT_EQ (asked.patches, segments[0].patches);
+
+  labels->points.resize (10);
+  labels->width = 10;
+  labels->height = 1;
+  expectError ("The image of patch labels is 10 x 1 with 10 values, but the input cloud is 320 x 240");
+  segmentation.setPatches (nullptr);
+  segmentation.clearAttentionPoints ();
+  segmentation.setParameters ({});
+  expectSame (segment (), own);
+}
+
+TEST_F (Segmentation, UsesTheNormalsItIsGiven)
+{
+  const std::vector<pcl::AttentionSegment> own = segment ();
+  const pcl_attention::NormalImage estimated = segmentation.getPipeline ()->normals ();
+  const pcl::PointCloud<pcl::Normal>::Ptr normals (new pcl::PointCloud<pcl::Normal> (320, 240));
+  for (std::size_t index = 0; index < normals->size (); ++index)
+  {
+    // Turned away and of another length, as they may come from elsewhere.
+    (*normals)[index].getNormalVector3fMap () =
+      -2.0f * Eigen::Vector3f (estimated.x[index], estimated.y[index], estimated.z[index]);
+    (*normals)[index].curvature = estimated.curvature[index];
+    if (!estimated.valid[index])
+      (*normals)[index].getNormalVector3fMap ().setConstant (nan_value);
+  }
+  segmentation.setInputNormals (normals);
+  const std::vector<pcl::AttentionSegment> segments = segment ();
+  ASSERT_EQ (segments.size (), own.size ());
+  for (std::size_t k = 0; k < own.size (); ++k)
+    EXPECT_GT (overlap (segments[k].indices, own[k].indices), 0.98);
+
+  *normals = pcl::PointCloud<pcl::Normal> (320, 240, pcl::Normal (nan_value, nan_value, nan_value));
+  EXPECT_TRUE (segment ().empty ());
+}
+
+TEST_F (Segmentation, FindsNothingOnABareWall)
+{
+  segmentation.setInputCloud (renderCloud (pcl_attention::SceneKind::wall, 5));
+  EXPECT_TRUE (segment ().empty ());
+}
+
+TEST_F (Segmentation, NamesTheParameterThatIsOutOfRange)
+{
+  pcl_attention::AttentionParameters parameters;
+  parameters.patches.maximum_distance = nan_value;
+  segmentation.setParameters (parameters);
+  expectError ("Bad parameter: patch_maximum_distance is nan, but must be a number from 1e-05 to 1 m.");
+}

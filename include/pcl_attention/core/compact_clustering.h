@@ -45,12 +45,13 @@ struct ClusteringParameters
                                         borders are */
   int absorb_size{150};               /**< smaller pieces join the neighbour they are connected to most, pixels; 0: off */
   bool join_hollows{true};            /**< join the inside of a hollow and the wall before it; off with -parts */
+  bool join_handles{true};            /**< join a thin piece that hangs on an object and on nothing else; off with -parts */
   bool join_enclosed{true};           /**< join a piece that an object surrounds; off with -parts */
   bool join_occluded{true};           /**< join pieces of one object that an occluder separates; off with -parts */
 
   /** \brief Switch off what joins visible pieces into whole objects (`-parts`). */
   void
-  visiblePieces () { join_hollows = join_enclosed = join_occluded = false; }
+  visiblePieces () { join_hollows = join_handles = join_enclosed = join_occluded = false; }
 };
 
 /** \brief What decided about a candidate patch. */
@@ -133,8 +134,9 @@ private:
   bool
   isSupport (int label) const { return (!support_patches_.empty () && support_patches_[label]); }
 
+  /** \param[in] hull_vertices of the piece with the patch, if they are already known */
   void
-  addPatch (int label, Piece& piece);
+  addPatch (int label, Piece& piece, std::vector<Eigen::Vector3f>&& hull_vertices = {});
 
   /** \brief Try every neighbour, the longest connected border first, until none can be added.
     * \param[out] steps what was tried; may be null */
@@ -142,9 +144,10 @@ private:
   growOverBorders (Piece& piece, std::vector<GrowthStep>* steps);
 
   /** \brief Ask all constraints about a patch.
-    * \param[in] border from the piece to the patch */
+    * \param[in] border from the piece to the patch
+    * \param[out] hull_vertices of the piece with the patch, if it can be added */
   GrowthStep
-  tryPatch (int label, const PatchBorder& border, Piece& piece);
+  tryPatch (int label, const PatchBorder& border, Piece& piece, std::vector<Eigen::Vector3f>& hull_vertices);
 
   /** \brief Convexity of a patch's border to a piece, from the patches that are no fragments where there are such: a fragment in a
     * crease has normals of both sides and says nothing about it. */
@@ -153,7 +156,10 @@ private:
 
   /** \brief kappa of the piece with one more patch (paper eq. 13), to the hidden faces if both are hollow. */
   float
-  compactnessWith (int label, const Piece& piece, bool hollow);
+  compactnessWith (int label, const Piece& piece, const VisibleHull& hull, bool hollow) const;
+
+  VisibleHull
+  unitedHull (int label, const Piece& piece);
 
   /** \brief CS_in and CS_out (paper eq. 11 and 12). */
   std::pair<float, float>
@@ -184,6 +190,8 @@ private:
   bool
   isFragmentOf (const Piece& object, const Piece& piece);
   bool
+  isHandleOf (const Piece& object, const Piece& piece);
+  bool
   isFloorOf (const Piece& object, const Piece& piece) const;
   bool
   isHollowOf (const Piece& object, const Piece& piece);
@@ -201,6 +209,7 @@ private:
   const PatchGraph& graph_;
   const std::vector<std::uint8_t> support_patches_;
   const ClusteringParameters parameters_;
+  const float focal_length_; /**< pixels */
   std::vector<std::vector<Sample>> samples_;                /**< of label k at [k] */
   std::vector<std::vector<Eigen::Vector3f>> hull_vertices_; /**< of label k at [k]; empty until asked for */
   std::vector<std::unique_ptr<Piece>> pieces_;              /**< from label k at [k]; null until asked for */
