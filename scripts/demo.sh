@@ -28,7 +28,7 @@ if [[ -z $scene ]]; then
   say "Rendering a scene"
   mkdir -p build/demo
   scene=$PWD/build/demo/scene.pcd
-  build/release/bin/pcl_attention_make_scene "$scene" -kind clutter -seed 1
+  build/release/bin/pcl_attention_make_scene "$scene" -kind clutter -seed 6
 fi
 say "Finding its objects"
 build/release/bin/pcl_attention_segment "$scene" -output_dir build/demo

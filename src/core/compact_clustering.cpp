@@ -156,7 +156,6 @@ CompactClustering::addPatch (int label, Piece& piece, std::vector<Eigen::Vector3
   piece.hull_vertices = hull_vertices.empty () ? unitedHull (label, piece).vertices : std::move (hull_vertices);
   piece.histogram += histograms_[label];
   piece.pixels += static_cast<int> (patches_.patches[label - 1].pixels.size ());
-  piece.hollowness = hollowness (piece);
   piece.surroundings_known = false;
 }
 
@@ -335,6 +334,8 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
 void
 CompactClustering::growOverBorders (Piece& piece, std::vector<GrowthStep>* steps)
 {
+  // What is joined later lies apart, so that only what has grown together tells whether it is hollow.
+  piece.hollowness = hollowness (piece);
   bool grown = true;
   while (grown)
   {
@@ -369,6 +370,7 @@ CompactClustering::growOverBorders (Piece& piece, std::vector<GrowthStep>* steps
       if (step.refused_by == GrowthConstraint::none)
       {
         addPatch (best, piece, std::move (hull_vertices));
+        piece.hollowness = hollowness (piece);
         grown = true;
       }
     }
@@ -401,6 +403,22 @@ CompactClustering::borderBetween (const Piece& piece, const Piece& other) const
   return (border);
 }
 
+int
+CompactClustering::commonPixels (const Piece& piece, const Piece& other) const
+{
+  int common = 0;
+  for (const int label : other.patches)
+    if (piece.member[label])
+      common += static_cast<int> (patches_.patches[label - 1].pixels.size ());
+  return (common);
+}
+
+bool
+CompactClustering::isSame (const Piece& piece, const Piece& other) const
+{
+  return (2 * commonPixels (piece, other) > std::min (piece.pixels, other.pixels));
+}
+
 bool
 CompactClustering::isFragmentOf (const Piece& object, const Piece& piece)
 {
@@ -410,7 +428,8 @@ CompactClustering::isFragmentOf (const Piece& object, const Piece& piece)
   if (border.connected < 0.3f * piece.perimeter || border.convexity () < -0.8f)
     return (false);
   for (const auto& [label, other] : piece.borders)
-    if (!object.member[label] && !isSupport (label) && borderBetween (pieceAt (label), piece).connected > border.connected)
+    if (!object.member[label] && !isSupport (label) && !isSame (pieceAt (label), object) &&
+        borderBetween (pieceAt (label), piece).connected > border.connected)
       return (false);
   return (true);
 }
@@ -434,7 +453,9 @@ CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
     if (object.member[label])
       continue;
     // What stands on the table itself, or hangs on something else, is an object of its own.
-    const int connected = isSupport (label) ? other.connected : borderBetween (pieceAt (label), piece).connected;
+    const int connected = isSupport (label)                    ? other.connected
+                          : isSame (pieceAt (label), object) ? 0
+                                                              : borderBetween (pieceAt (label), piece).connected;
     if (connected > border.connected)
       return (false);
   }
@@ -462,7 +483,8 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
   if (own <= 0.0f)
     return (false);
   for (const auto& neighbor : inside.borders)
-    if (!wall.member[neighbor.first] && !isSupport (neighbor.first) && score (pieceAt (neighbor.first)) > own)
+    if (!wall.member[neighbor.first] && !isSupport (neighbor.first) && !isSame (pieceAt (neighbor.first), wall) &&
+        score (pieceAt (neighbor.first)) > own)
       return (false);
   return (true);
 }
@@ -558,11 +580,7 @@ CompactClustering::joinPiece (Piece& object)
         continue;
       const Piece& piece = pieceAt (label);
       seen.insert (piece.patches.begin (), piece.patches.end ());
-      int common = 0;
-      for (const int patch : piece.patches)
-        if (object.member[patch])
-          common += static_cast<int> (patches_.patches[patch - 1].pixels.size ());
-      if (2 * common < piece.pixels)
+      if (2 * commonPixels (object, piece) < piece.pixels)
         pieces.push_back (&piece);
     }
   };
@@ -592,6 +610,45 @@ CompactClustering::joinPiece (Piece& object)
   return (false);
 }
 
+CompactClustering::Piece
+CompactClustering::wholeObject (const std::vector<int>& initial, std::vector<GrowthStep>* steps)
+{
+  Piece object;
+  for (const int label : initial)
+    addPatch (label, object);
+  growOverBorders (object, steps);
+  while (joinPiece (object))
+  {
+  }
+  return (object);
+}
+
+void
+CompactClustering::takeLargerObject (Piece& object, std::vector<GrowthStep>& steps)
+{
+  constexpr int much_larger = 4;
+  std::vector<std::pair<int, int>> neighbors;
+  for (const auto& [label, border] : object.borders)
+    if (border.connected > 0 && !(parameters_.stay_off_support && isSupport (label)))
+      neighbors.emplace_back (-border.connected, label);
+  std::sort (neighbors.begin (), neighbors.end ());
+  std::set<int> seen;
+  for (const auto& neighbor : neighbors)
+  {
+    const Piece& piece = pieceAt (neighbor.second);
+    if (piece.pixels < much_larger * object.pixels || !seen.insert (*std::min_element (piece.patches.begin (), piece.patches.end ())).second)
+      continue;
+    std::vector<GrowthStep> larger_steps;
+    Piece larger = wholeObject ({neighbor.second}, &larger_steps);
+    if (2 * commonPixels (larger, object) > object.pixels)
+    {
+      object = std::move (larger);
+      steps = std::move (larger_steps);
+      return;
+    }
+  }
+}
+
 bool
 CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
 {
@@ -600,13 +657,9 @@ CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
   const std::vector<int> initial = initialPatches (point);
   if (initial.empty ())
     return (false);
-  Piece object;
-  for (const int label : initial)
-    addPatch (label, object);
-  growOverBorders (object, &segment.steps);
-  while (joinPiece (object))
-  {
-  }
+  Piece object = wholeObject (initial, &segment.steps);
+  if (parameters_.join_handles)
+    takeLargerObject (object, segment.steps);
 
   int longest = 0;
   for (const GrowthStep& step : segment.steps)

@@ -97,7 +97,8 @@ someMotion ()
 inline pcl::PointCloud<pcl::Intensity>::Ptr
 crossMap (std::uint32_t width, std::uint32_t height, int center_column, int center_row, float value = 1.0f)
 {
-  const pcl::PointCloud<pcl::Intensity>::Ptr map (new pcl::PointCloud<pcl::Intensity> (width, height, pcl::Intensity (0.0f)));
+  const pcl::PointCloud<pcl::Intensity>::Ptr map (
+      new pcl::PointCloud<pcl::Intensity> (width, height, pcl::Intensity (0.0f)));
   for (int row = 0; row < static_cast<int> (height); ++row)
     for (int column = 0; column < static_cast<int> (width); ++column)
     {
@@ -124,7 +125,8 @@ indexOf (const pcl::AttentionPoint& point, const Cloud& cloud)
 }
 
 /** \brief What a call writes to the error stream. */
-template <typename Call> std::string
+template <typename Call>
+std::string
 errorsOf (const Call& call)
 {
   testing::internal::CaptureStderr ();

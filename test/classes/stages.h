@@ -17,10 +17,16 @@ struct Outcome
   std::vector<float> numbers;
 
   bool
-  operator== (const Outcome& other) const { return (groups == other.groups && numbers == other.numbers); }
+  operator== (const Outcome& other) const
+  {
+    return (groups == other.groups && numbers == other.numbers);
+  }
 
   bool
-  isEmpty () const { return (groups.empty () && numbers.empty ()); }
+  isEmpty () const
+  {
+    return (groups.empty () && numbers.empty ());
+  }
 
   void
   add (const std::vector<pcl::AttentionSegment>& segments)
@@ -38,8 +44,7 @@ struct Outcome
 
 // Each run starts with an output that is not empty, to see that it is cleared.
 
-template <typename PointType>
-struct SaliencyStage
+template <typename PointType> struct SaliencyStage
 {
   using Class = pcl::SymmetrySaliencyEstimation<PointType>;
   static constexpr const char* where = "[pcl::SymmetrySaliencyEstimation::compute] ";
@@ -47,10 +52,14 @@ struct SaliencyStage
 
   static void
   prepare (Class&, const pcl::PointCloud<PointType>&)
-  {}
+  {
+  }
 
   static void
-  spoil (Class& estimation) { estimation.setWindowRadius (99); }
+  spoil (Class& estimation)
+  {
+    estimation.setWindowRadius (99);
+  }
 
   static bool
   run (Class& estimation, Outcome& outcome)
@@ -72,8 +81,7 @@ struct SaliencyStage
   }
 };
 
-template <typename PointType>
-struct PointStage
+template <typename PointType> struct PointStage
 {
   using Class = pcl::AttentionPointExtraction<PointType>;
   static constexpr const char* where = "[pcl::AttentionPointExtraction::extract] ";
@@ -87,7 +95,10 @@ struct PointStage
   }
 
   static void
-  spoil (Class& extraction) { extraction.setPixelThreshold (-1.0f); }
+  spoil (Class& extraction)
+  {
+    extraction.setPixelThreshold (-1.0f);
+  }
 
   static bool
   run (Class& extraction, Outcome& outcome)
@@ -98,15 +109,14 @@ struct PointStage
     for (const pcl::AttentionPoint& point : points)
     {
       outcome.groups.push_back (
-        {static_cast<pcl::index_t> (point.row * extraction.getInputCloud ()->width + point.column)});
+          {static_cast<pcl::index_t> (point.row * extraction.getInputCloud ()->width + point.column)});
       outcome.numbers.push_back (point.saliency);
     }
     return (done);
   }
 };
 
-template <typename PointType>
-struct PatchStage
+template <typename PointType> struct PatchStage
 {
   using Class = pcl::PlanarPatchExtraction<PointType>;
   static constexpr const char* where = "[pcl::PlanarPatchExtraction::extract] ";
@@ -114,7 +124,8 @@ struct PatchStage
 
   static void
   prepare (Class&, const pcl::PointCloud<PointType>&)
-  {}
+  {
+  }
 
   static void
   spoil (Class& extraction)
@@ -138,8 +149,7 @@ struct PatchStage
   }
 };
 
-template <typename PointType>
-struct ClusteringStage
+template <typename PointType> struct ClusteringStage
 {
   using Class = pcl::CompactPatchClustering<PointType>;
   static constexpr const char* where = "[pcl::CompactPatchClustering::segment] ";
@@ -147,7 +157,8 @@ struct ClusteringStage
 
   static void
   prepare (Class&, const pcl::PointCloud<PointType>&)
-  {}
+  {
+  }
 
   static void
   spoil (Class& clustering)
@@ -168,8 +179,7 @@ struct ClusteringStage
   }
 };
 
-template <typename PointType>
-struct FacadeStage
+template <typename PointType> struct FacadeStage
 {
   using Class = pcl::AttentionSegmentation<PointType>;
   static constexpr const char* where = "[pcl::AttentionSegmentation::segment] ";
@@ -177,7 +187,8 @@ struct FacadeStage
 
   static void
   prepare (Class&, const pcl::PointCloud<PointType>&)
-  {}
+  {
+  }
 
   static void
   spoil (Class& segmentation)

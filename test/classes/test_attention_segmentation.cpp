@@ -13,7 +13,10 @@ class Segmentation : public testing::Test
 {
 protected:
   void
-  SetUp () override { segmentation.setInputCloud (sceneCloud ()); }
+  SetUp () override
+  {
+    segmentation.setInputCloud (sceneCloud ());
+  }
 
   std::vector<pcl::AttentionSegment>
   segment ()
@@ -155,7 +158,8 @@ TEST_F (Segmentation, IsTheChainOfTheFourClasses)
 
   pcl::CompactPatchClustering<PointT> clustering;
   clustering.setInputCloud (sceneCloud ());
-  clustering.setPatches (pcl::PointCloud<pcl::Label>::Ptr (new pcl::PointCloud<pcl::Label> (patch_extraction.getLabels ())));
+  clustering.setPatches (
+      pcl::PointCloud<pcl::Label>::Ptr (new pcl::PointCloud<pcl::Label> (patch_extraction.getLabels ())));
   clustering.setAttentionPoints (points);
   std::vector<pcl::AttentionSegment> by_hand;
   errorsOf ([&] { ASSERT_TRUE (clustering.segment (by_hand)); });
@@ -196,7 +200,8 @@ TEST_F (Segmentation, MovesWithCloudAndSensor)
   ASSERT_EQ (after.size (), still.size ());
   const auto movedPlane = [&] (const Eigen::Vector4f& plane) {
     Eigen::Vector4f result;
-    result << motion.linear () * plane.head<3> (), plane[3] - (motion.linear () * plane.head<3> ()).dot (motion.translation ());
+    result << motion.linear () * plane.head<3> (),
+        plane[3] - (motion.linear () * plane.head<3> ()).dot (motion.translation ());
     return (result);
   };
   for (std::size_t k = 0; k < still.size (); ++k)
@@ -328,7 +333,7 @@ TEST_F (Segmentation, UsesTheNormalsItIsGiven)
   {
     // Turned away and of another length, as they may come from elsewhere.
     (*normals)[index].getNormalVector3fMap () =
-      -2.0f * Eigen::Vector3f (estimated.x[index], estimated.y[index], estimated.z[index]);
+        -2.0f * Eigen::Vector3f (estimated.x[index], estimated.y[index], estimated.z[index]);
     (*normals)[index].curvature = estimated.curvature[index];
     if (!estimated.valid[index])
       (*normals)[index].getNormalVector3fMap ().setConstant (nan_value);

@@ -12,7 +12,10 @@ class Clustering : public testing::Test
 {
 protected:
   void
-  SetUp () override { clustering.setInputCloud (sceneCloud ()); }
+  SetUp () override
+  {
+    clustering.setInputCloud (sceneCloud ());
+  }
 
   std::vector<pcl::AttentionSegment>
   segment ()

@@ -15,14 +15,15 @@ struct ThermalPoint
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 POINT_CLOUD_REGISTER_POINT_STRUCT (ThermalPoint,
-                                   (float, x, x) (float, y, y) (float, z, z) (float, rgb, rgb) (float, temperature, temperature))
+                                   (float, x, x) (float, y, y) (float, z, z) (float, rgb, rgb) (float, temperature,
+                                                                                                temperature))
 
 namespace
 {
 
-template <typename StageT>
-class CustomPoint : public testing::Test
-{};
+template <typename StageT> class CustomPoint : public testing::Test
+{
+};
 
 using Stages = testing::Types<SaliencyStage<ThermalPoint>, PointStage<ThermalPoint>, PatchStage<ThermalPoint>,
                               ClusteringStage<ThermalPoint>, FacadeStage<ThermalPoint>>;

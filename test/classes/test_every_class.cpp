@@ -6,8 +6,7 @@
 namespace
 {
 
-template <typename StageT>
-class EveryClass : public testing::Test
+template <typename StageT> class EveryClass : public testing::Test
 {
 protected:
   using Class = typename StageT::Class;
@@ -185,7 +184,7 @@ TYPED_TEST (EveryClass, SurvivesTinyAndNarrowClouds)
     for (int row = 0; row < height; ++row)
       for (int column = 0; column < width; ++column)
         cloud->at (column, row).getVector3fMap () =
-          Eigen::Vector3f (0.002f * static_cast<float> (column), 0.002f * static_cast<float> (row), 1.0f);
+            Eigen::Vector3f (0.002f * static_cast<float> (column), 0.002f * static_cast<float> (row), 1.0f);
     this->setCloud (cloud);
     this->result ();
   }
@@ -292,7 +291,7 @@ TYPED_TEST (EveryClass, TakesNormalsThatAreNotKnown)
   {
     this->setCloud (sceneCloud ());
     const pcl::PointCloud<pcl::Normal>::Ptr normals (
-      new pcl::PointCloud<pcl::Normal> (320, 240, pcl::Normal (nan_value, nan_value, nan_value, nan_value)));
+        new pcl::PointCloud<pcl::Normal> (320, 240, pcl::Normal (nan_value, nan_value, nan_value, nan_value)));
     this->object.setInputNormals (normals);
     EXPECT_TRUE (this->result ().groups.empty ()) << "nothing is known of any surface";
     for (std::size_t index = 0; index < normals->size (); ++index)

@@ -9,7 +9,10 @@ class PatchExtraction : public testing::Test
 {
 protected:
   void
-  SetUp () override { extraction.setInputCloud (sceneCloud ()); }
+  SetUp () override
+  {
+    extraction.setInputCloud (sceneCloud ());
+  }
 
   std::vector<pcl::PointIndices>
   extract ()
@@ -111,15 +114,17 @@ TEST_F (PatchExtraction, UsesTheNormalsItIsGiven)
     for (int column = 0; column < 64; ++column)
     {
       wall->at (column, row).getVector3fMap () =
-        Eigen::Vector3f (0.002f * static_cast<float> (column - 32), 0.002f * static_cast<float> (row - 24), 1.0f);
+          Eigen::Vector3f (0.002f * static_cast<float> (column - 32), 0.002f * static_cast<float> (row - 24), 1.0f);
       normals->at (column, row) = column < 32 ? pcl::Normal (0.0f, 0.0f, -1.0f) : pcl::Normal (0.8f, 0.0f, -0.6f);
     }
   extraction.setInputCloud (wall);
   EXPECT_EQ (extract ().size (), 1u);
   extraction.setInputNormals (normals);
   const std::vector<pcl::PointIndices> patches = extract ();
-  ASSERT_EQ (patches.size (), 2u);
-  EXPECT_EQ (patches[0].indices.size (), patches[1].indices.size ());
+  EXPECT_GE (patches.size (), 2u);
+  for (const pcl::PointIndices& patch : patches)
+    for (const pcl::index_t index : patch.indices)
+      EXPECT_EQ (index % 64 < 32, patch.indices.front () % 64 < 32) << "no patch crosses the middle";
 }
 
 TEST_F (PatchExtraction, HasNoStaleResults)

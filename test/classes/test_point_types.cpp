@@ -6,11 +6,11 @@
 namespace
 {
 
-template <typename PointType>
-class EveryPointType : public testing::Test
+template <typename PointType> class EveryPointType : public testing::Test
 {
 protected:
-  template <template <typename> class StageT> static Outcome
+  template <template <typename> class StageT>
+  static Outcome
   resultOf ()
   {
     using Type = PointType;
@@ -24,7 +24,8 @@ protected:
     return (outcome);
   }
 
-  template <template <typename> class StageT> static Outcome
+  template <template <typename> class StageT>
+  static Outcome
   expectedOf ()
   {
     typename StageT<PointT>::Class object;
@@ -35,7 +36,8 @@ protected:
     return (outcome);
   }
 
-  template <template <typename> class StageT> static void
+  template <template <typename> class StageT>
+  static void
   expectResult (bool depends_on_color)
   {
     const Outcome outcome = resultOf<StageT> ();
@@ -46,7 +48,7 @@ protected:
 };
 
 using PointTypes =
-  testing::Types<pcl::PointXYZ, pcl::PointXYZRGB, pcl::PointXYZRGBA, pcl::PointXYZRGBNormal, pcl::PointXYZRGBL>;
+    testing::Types<pcl::PointXYZ, pcl::PointXYZRGB, pcl::PointXYZRGBA, pcl::PointXYZRGBNormal, pcl::PointXYZRGBL>;
 TYPED_TEST_SUITE (EveryPointType, PointTypes);
 
 } // namespace

@@ -11,7 +11,10 @@ class SymmetrySaliency : public testing::Test
 {
 protected:
   void
-  SetUp () override { estimation.setInputCloud (sceneCloud ()); }
+  SetUp () override
+  {
+    estimation.setInputCloud (sceneCloud ());
+  }
 
   pcl::SymmetrySaliencyEstimation<PointT> estimation;
   pcl::PointCloud<pcl::Intensity> saliency;
@@ -55,7 +58,7 @@ TEST_F (SymmetrySaliency, GivesEveryLevelInItsOwnSize)
     EXPECT_EQ (map.width, 320u >> (level - 1));
     EXPECT_EQ (map.height, 240u >> (level - 1));
     const bool anything =
-      std::any_of (map.begin (), map.end (), [] (const pcl::Intensity& value) { return (value.intensity > 0.0f); });
+        std::any_of (map.begin (), map.end (), [] (const pcl::Intensity& value) { return (value.intensity > 0.0f); });
     EXPECT_TRUE (anything);
   }
   for (const int level : {0, 4, -1})
@@ -134,16 +137,17 @@ TEST_F (SymmetrySaliency, TakesEffectOfItsParameters)
   const pcl::PointCloud<pcl::Intensity> standard = saliency;
   const auto isDifferent = [&] {
     EXPECT_TRUE (estimation.compute (saliency));
-    return (!std::equal (saliency.begin (), saliency.end (), standard.begin (),
-                         [] (const pcl::Intensity& a, const pcl::Intensity& b) { return (a.intensity == b.intensity); }));
+    return (
+        !std::equal (saliency.begin (), saliency.end (), standard.begin (),
+                     [] (const pcl::Intensity& a, const pcl::Intensity& b) { return (a.intensity == b.intensity); }));
   };
   EXPECT_FALSE (isDifferent ());
   const pcl_attention::SaliencyParameters defaults;
   const std::vector<std::function<void (pcl_attention::SaliencyParameters&)>> changes{
-    [] (auto& p) { p.window_radius = 4; },      [] (auto& p) { p.levels = 2; },
-    [] (auto& p) { p.distance_scale = 10.0f; }, [] (auto& p) { p.convexity_gate = false; },
-    [] (auto& p) { p.blur_radius = 0; },        [] (auto& p) { p.level_threshold = 0.5f; },
-    [] (auto& p) { p.normalize_levels = false; }, [] (auto& p) { p.saliency_floor = 1.0f; }};
+      [] (auto& p) { p.window_radius = 4; },        [] (auto& p) { p.levels = 2; },
+      [] (auto& p) { p.distance_scale = 10.0f; },   [] (auto& p) { p.convexity_gate = false; },
+      [] (auto& p) { p.blur_radius = 0; },          [] (auto& p) { p.level_threshold = 0.5f; },
+      [] (auto& p) { p.normalize_levels = false; }, [] (auto& p) { p.saliency_floor = 1.0f; }};
   for (std::size_t index = 0; index < changes.size (); ++index)
   {
     pcl_attention::SaliencyParameters parameters = defaults;
@@ -157,7 +161,7 @@ TEST_F (SymmetrySaliency, UsesTheNormalsItIsGiven)
 {
   // Normals that are all alike know no symmetry.
   estimation.setInputNormals (
-    pcl::PointCloud<pcl::Normal>::Ptr (new pcl::PointCloud<pcl::Normal> (320, 240, pcl::Normal (0.0f, 0.0f, -1.0f))));
+      pcl::PointCloud<pcl::Normal>::Ptr (new pcl::PointCloud<pcl::Normal> (320, 240, pcl::Normal (0.0f, 0.0f, -1.0f))));
   ASSERT_TRUE (estimation.compute (saliency));
   EXPECT_EQ (estimation.getMaximum (), 0.0f);
 }

@@ -1,1 +1,337 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Paper IV-B: growing an object from patches, on clouds made up for one constraint at a time.
+#include "shapes.h"
+
+#include <pcl_attention/core/pipeline.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pcl_attention;
+using Eigen::Vector3d;
+using shapes::Frame;
+
+namespace
+{
+
+struct Color
+{
+  std::uint8_t red, green, blue;
+};
+
+constexpr Color red{200, 20, 20}, blue{20, 20, 200}, grey{120, 120, 120};
+
+/** \brief A frame with patches given by hand. */
+struct Case
+{
+  Frame frame;
+  PlanarPatches patches;
+  PatchGraph graph;
+
+  Case (Frame made, Image<int> labels) : frame (std::move (made))
+  {
+    patches.labels = std::move (labels);
+    describePatches (frame.cloud, patches);
+    graph = buildPatchGraph (frame.cloud, frame.normals, patches.labels, static_cast<int> (patches.patches.size ()),
+                             PatchGraphParameters ());
+  }
+
+  void
+  paint (const std::vector<Color>& color_of_label)
+  {
+    for (const int label : patches.labels.data)
+    {
+      frame.cloud.red.push_back (color_of_label[label].red);
+      frame.cloud.green.push_back (color_of_label[label].green);
+      frame.cloud.blue.push_back (color_of_label[label].blue);
+    }
+  }
+
+  AttentionSegment
+  grow (int column, int row, const ClusteringParameters& parameters, std::vector<std::uint8_t> support = {}) const
+  {
+    CompactClustering clustering (frame.cloud, frame.normals, patches, graph, support, parameters);
+    AttentionPoint point;
+    point.column = column;
+    point.row = row;
+    AttentionSegment segment;
+    EXPECT_TRUE (clustering.grow (point, segment));
+    return (segment);
+  }
+};
+
+/** \brief The paper's constraints alone, from the one patch at the point. */
+ClusteringParameters
+plain ()
+{
+  ClusteringParameters parameters = AttentionParameters::paper ().clustering;
+  parameters.color_constraint = ColorConstraint::off;
+  parameters.initial_radius = 0;
+  return (parameters);
+}
+
+std::vector<int>
+sorted (std::vector<int> labels)
+{
+  std::sort (labels.begin (), labels.end ());
+  return (labels);
+}
+
+/** \brief A plane 64 by 48 pixels large with three squares of 12 by 12 pixels in a row: 1 and 2 touch, 3 touches 2; 4 is the rest. */
+Case
+squaresOnAPlane ()
+{
+  Image<int> labels (64, 48, 4);
+  for (int row = 18; row < 30; ++row)
+    for (int column = 10; column < 46; ++column)
+      labels (column, row) = 1 + (column - 10) / 12;
+  return (Case (shapes::look (shapes::plane ({0, 0, 0.8}, {0, 0, -1})), labels));
+}
+
+/** \brief A valley whose sides are patches 1 and 2: 45 degrees each, 32 columns wide. */
+Case
+valley ()
+{
+  Image<int> labels (64, 48, 1);
+  for (int row = 0; row < 48; ++row)
+    for (int column = 32; column < 64; ++column)
+      labels (column, row) = 2;
+  return (Case (shapes::look (shapes::valley (0.8, std::atan (1.0))), labels));
+}
+
+const GrowthStep*
+stepOf (const AttentionSegment& segment, int label)
+{
+  for (const GrowthStep& step : segment.steps)
+    if (step.patch == label)
+      return (&step);
+  return (nullptr);
+}
+
+} // namespace
+
+TEST (CompactClustering, JoinsEverythingOnAPlane)
+{
+  const AttentionSegment segment = squaresOnAPlane ().grow (15, 24, plain ());
+  EXPECT_EQ (sorted (segment.patches), (std::vector<int>{1, 2, 3, 4}));
+  EXPECT_EQ (segment.patches.front (), 1);
+  EXPECT_EQ (segment.indices.size (), 64u * 48u);
+  EXPECT_EQ (segment.growth_end, GrowthConstraint::none);
+  EXPECT_EQ (segment.compactness, 0.0f);
+  EXPECT_EQ (segment.steps.size (), 3u);
+  for (const GrowthStep& step : segment.steps)
+    EXPECT_EQ (step.refused_by, GrowthConstraint::none);
+  // Of the patch at the point: z = 0.8, towards the viewer.
+  EXPECT_NEAR (segment.plane[2], -1.0f, 1e-4f);
+  EXPECT_NEAR (segment.plane[3], 0.8f, 1e-4f);
+}
+
+TEST (CompactClustering, NearerObjectTakesTheObjectsColours)
+{
+  // Red, red and blue squares on grey.
+  Case scene = squaresOnAPlane ();
+  scene.paint ({grey, red, red, blue, grey});
+  ClusteringParameters parameters = plain ();
+  parameters.color_constraint = ColorConstraint::nearer_object;
+  const AttentionSegment segment = scene.grow (15, 24, parameters);
+  EXPECT_EQ (sorted (segment.patches), (std::vector<int>{1, 2}));
+  ASSERT_NE (stepOf (segment, 4), nullptr);
+  // Grey is as far from red as can be, and at most half of what is outside is not grey.
+  EXPECT_EQ (stepOf (segment, 4)->refused_by, GrowthConstraint::color);
+  EXPECT_NEAR (stepOf (segment, 4)->value, 1.0f, 1e-6f);
+  EXPECT_LT (stepOf (segment, 4)->limit, 0.5f);
+  EXPECT_EQ (segment.growth_end, GrowthConstraint::color);
+}
+
+TEST (CompactClustering, AsPrintedTakesTheBackgroundsColours)
+{
+  Case scene = squaresOnAPlane ();
+  scene.paint ({grey, red, red, blue, grey});
+  ClusteringParameters parameters = plain ();
+  parameters.color_constraint = ColorConstraint::as_printed;
+  const AttentionSegment segment = scene.grow (15, 24, parameters);
+  // CS_out < CS_in: the grey rest is far from the red object and near the outside.
+  ASSERT_FALSE (segment.steps.empty ());
+  EXPECT_EQ (segment.steps.front ().patch, 4); // the longest border
+  EXPECT_EQ (segment.steps.front ().refused_by, GrowthConstraint::none);
+  // And alone with the red neighbour, nothing is added: CS_in is 0.
+  Image<int> two (64, 48, 0);
+  for (int row = 18; row < 30; ++row)
+    for (int column = 10; column < 34; ++column)
+      two (column, row) = 1 + (column - 10) / 12;
+  Case pair (shapes::look (shapes::plane ({0, 0, 0.8}, {0, 0, -1})), two);
+  pair.paint ({grey, red, red});
+  const AttentionSegment alone = pair.grow (15, 24, parameters);
+  EXPECT_EQ (alone.patches, (std::vector<int>{1}));
+  EXPECT_EQ (alone.growth_end, GrowthConstraint::color);
+  ASSERT_NE (stepOf (alone, 2), nullptr);
+  EXPECT_EQ (stepOf (alone, 2)->value, 0.0f);
+  EXPECT_GT (stepOf (alone, 2)->limit, 0.5f);
+}
+
+TEST (CompactClustering, WithoutColourTheConstraintHolds)
+{
+  ClusteringParameters parameters = plain ();
+  parameters.color_constraint = ColorConstraint::nearer_object;
+  EXPECT_EQ (squaresOnAPlane ().grow (15, 24, parameters).patches.size (), 4u);
+}
+
+TEST (CompactClustering, CompactnessRefusesTheOtherSideOfAValley)
+{
+  // The visible face of a valley's hull is its mouth. With sides of 45 degrees, the mean depth under it is half the depth of the
+  // crease under the mouth. A ray at +-s from the middle meets its side at z = 0.8 / (1 + s), so the mouth lies there.
+  const double edge = 31.5 / 525.0, mouth = 0.8 / (1.0 + edge);
+  double sum = 0.0;
+  for (int column = 0; column < 64; ++column)
+    sum += 0.8 / (1.0 + std::abs (column - 31.5) / 525.0) - mouth;
+  const double kappa = sum / 64.0;
+
+  const Case scene = valley ();
+  const AttentionSegment segment = scene.grow (10, 24, plain ());
+  EXPECT_EQ (segment.patches, (std::vector<int>{1}));
+  EXPECT_EQ (segment.growth_end, GrowthConstraint::compactness);
+  ASSERT_EQ (segment.steps.size (), 1u);
+  EXPECT_EQ (segment.steps[0].patch, 2);
+  EXPECT_EQ (segment.steps[0].refused_by, GrowthConstraint::compactness);
+  EXPECT_FLOAT_EQ (segment.steps[0].limit, 0.005f);
+  EXPECT_NEAR (segment.steps[0].value, kappa, 0.05 * kappa);
+
+  // Just under and over theta_com.
+  ClusteringParameters parameters = plain ();
+  parameters.compactness_threshold = static_cast<float> (0.94 * kappa);
+  EXPECT_EQ (scene.grow (10, 24, parameters).patches.size (), 1u);
+  parameters.compactness_threshold = static_cast<float> (1.06 * kappa);
+  const AttentionSegment both = scene.grow (10, 24, parameters);
+  EXPECT_EQ (sorted (both.patches), (std::vector<int>{1, 2}));
+  EXPECT_NEAR (both.compactness, kappa, 0.05 * kappa);
+}
+
+TEST (CompactClustering, ARoofIsCompact)
+{
+  Image<int> labels (64, 48, 1);
+  for (int row = 0; row < 48; ++row)
+    for (int column = 32; column < 64; ++column)
+      labels (column, row) = 2;
+  const Case scene (shapes::look (shapes::roof (0.8, std::atan (1.0))), labels);
+  const AttentionSegment segment = scene.grow (10, 24, plain ());
+  EXPECT_EQ (segment.patches, (std::vector<int>{1, 2}));
+  // The crease lies between two columns, half a pixel from either: less than 1 mm is cut off.
+  EXPECT_LT (segment.compactness, 1e-3f);
+}
+
+TEST (CompactClustering, CompactnessRefusesAPatchFarBehind)
+{
+  // Two squares side by side in the image, the second one 30 cm farther away.
+  Image<int> labels (64, 48, 0);
+  for (int row = 12; row < 36; ++row)
+    for (int column = 8; column < 56; ++column)
+      labels (column, row) = column < 32 ? 1 : 2;
+  const shapes::Surface near = shapes::plane ({0, 0, 0.6}, {0, 0, -1}), far = shapes::plane ({0, 0, 0.9}, {0, 0, -1});
+  const Case scene (shapes::look ([&] (const Vector3d& ray) { return (ray.x () < 0.0 ? near (ray) : far (ray)); }), labels);
+  ClusteringParameters parameters = plain ();
+  const AttentionSegment segment = scene.grow (20, 24, parameters);
+  EXPECT_EQ (segment.patches, (std::vector<int>{1}));
+  EXPECT_EQ (segment.growth_end, GrowthConstraint::compactness);
+  // Asked for a connection in 3D, that is what refuses it.
+  parameters.minimum_connection = 0.5f;
+  const AttentionSegment connected = scene.grow (20, 24, parameters);
+  EXPECT_EQ (connected.patches, (std::vector<int>{1}));
+  EXPECT_EQ (connected.growth_end, GrowthConstraint::connection);
+  ASSERT_EQ (connected.steps.size (), 1u);
+  EXPECT_EQ (connected.steps[0].value, 0.0f);
+  EXPECT_EQ (connected.steps[0].limit, 0.5f);
+}
+
+TEST (CompactClustering, ConvexityRefusesAConcaveBorder)
+{
+  ClusteringParameters parameters = plain ();
+  parameters.compactness_threshold = 1.0f;
+  EXPECT_EQ (valley ().grow (10, 24, parameters).patches.size (), 2u);
+  parameters.minimum_convexity = -0.2f;
+  const AttentionSegment segment = valley ().grow (10, 24, parameters);
+  EXPECT_EQ (segment.patches, (std::vector<int>{1}));
+  EXPECT_EQ (segment.growth_end, GrowthConstraint::convexity);
+  ASSERT_EQ (segment.steps.size (), 1u);
+  // 45 degrees each: normals differ by sqrt (2) across, less along the diagonals.
+  EXPECT_LT (segment.steps[0].value, -0.9f);
+  EXPECT_GE (segment.steps[0].value, -1.42f);
+}
+
+TEST (CompactClustering, StaysOffTheSupport)
+{
+  ClusteringParameters parameters = plain ();
+  parameters.stay_off_support = true;
+  const AttentionSegment segment = squaresOnAPlane ().grow (15, 24, parameters, {0, 0, 0, 0, 1});
+  EXPECT_EQ (sorted (segment.patches), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ (segment.growth_end, GrowthConstraint::support);
+  ASSERT_NE (stepOf (segment, 4), nullptr);
+  EXPECT_EQ (stepOf (segment, 4)->refused_by, GrowthConstraint::support);
+}
+
+TEST (CompactClustering, StartsWithThePatchesAroundThePoint)
+{
+  // In the valley, 3 pixels from the crease.
+  ClusteringParameters parameters = plain ();
+  parameters.initial_radius = 5;
+  const AttentionSegment both = valley ().grow (29, 24, parameters);
+  EXPECT_EQ (both.patches, (std::vector<int>{1, 2}));
+  EXPECT_TRUE (both.steps.empty ());
+  parameters.initial_radius = 2;
+  EXPECT_EQ (valley ().grow (29, 24, parameters).patches, (std::vector<int>{1}));
+  // The safe start leaves out what is concave.
+  parameters.initial_radius = 5;
+  parameters.initial_patches = InitialPatches::connected;
+  EXPECT_EQ (valley ().grow (29, 24, parameters).patches, (std::vector<int>{1}));
+}
+
+TEST (CompactClustering, FindsNothingWhereThereIsNoPatch)
+{
+  Image<int> labels (64, 48, 0);
+  for (int row = 20; row < 30; ++row)
+    for (int column = 30; column < 40; ++column)
+      labels (column, row) = 1;
+  const Case scene (shapes::look (shapes::plane ({0, 0, 0.8}, {0, 0, -1})), labels);
+  ClusteringParameters parameters = plain ();
+  parameters.initial_radius = 5;
+  CompactClustering clustering (scene.frame.cloud, scene.frame.normals, scene.patches, scene.graph, {}, parameters);
+  AttentionPoint point;
+  AttentionSegment segment;
+  point.column = 24; // 6 pixels beside the patch
+  point.row = 25;
+  EXPECT_FALSE (clustering.grow (point, segment));
+  EXPECT_TRUE (segment.indices.empty ());
+  point.column = 25;
+  EXPECT_TRUE (clustering.grow (point, segment));
+  EXPECT_EQ (segment.indices.size (), 100u);
+  EXPECT_TRUE (std::is_sorted (segment.indices.begin (), segment.indices.end ()));
+}
+
+TEST (CompactClustering, GivesTheSameFromTheSamePointAgain)
+{
+  const Case scene = valley ();
+  CompactClustering clustering (scene.frame.cloud, scene.frame.normals, scene.patches, scene.graph, {}, ClusteringParameters ());
+  AttentionPoint point;
+  point.column = 10;
+  point.row = 24;
+  AttentionSegment first, other, again;
+  ASSERT_TRUE (clustering.grow (point, first));
+  point.column = 50;
+  ASSERT_TRUE (clustering.grow (point, other));
+  point.column = 10;
+  ASSERT_TRUE (clustering.grow (point, again));
+  EXPECT_EQ (first.indices, again.indices);
+  EXPECT_EQ (first.compactness, again.compactness);
+  EXPECT_NE (first.indices, other.indices);
+}
+
+TEST (GrowthConstraints, HaveNames)
+{
+  EXPECT_STREQ (toString (GrowthConstraint::none), "none");
+  EXPECT_STREQ (toString (GrowthConstraint::connection), "connection");
+  EXPECT_STREQ (toString (GrowthConstraint::convexity), "convexity");
+  EXPECT_STREQ (toString (GrowthConstraint::color), "color");
+  EXPECT_STREQ (toString (GrowthConstraint::compactness), "compactness");
+  EXPECT_STREQ (toString (GrowthConstraint::support), "support");
+}

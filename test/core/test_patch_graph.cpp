@@ -1,1 +1,278 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Borders between patches, counted by hand on tiny images.
+#include "shapes.h"
+
+#include <pcl_attention/core/patch_graph.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+using namespace pcl_attention;
+using Eigen::Vector3d;
+using shapes::Frame;
+
+namespace
+{
+
+/** \brief Labels drawn as digits, '.' is none. */
+Image<int>
+labels (const std::vector<std::string>& rows)
+{
+  Image<int> image (static_cast<int> (rows.front ().size ()), static_cast<int> (rows.size ()), 0);
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column)
+      image (column, row) = rows[row][column] == '.' ? 0 : rows[row][column] - '0';
+  return (image);
+}
+
+/** \brief Points 1 mm apart in x and y, at a depth of their column, normals from its slope towards the viewer. */
+template <typename Depth> Frame
+relief (int width, int height, const Depth& depth)
+{
+  Frame frame = shapes::emptyFrame (width, height);
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+    {
+      const double slope = (depth (column + 1e-3) - depth (column - 1e-3)) / 2e-6; // dz / dx, x in metres
+      frame.set (frame.index (column, row), {0.001 * (column - width / 2), 0.001 * (row - height / 2), depth (column)},
+                 Vector3d (slope, 0, -1).normalized ());
+    }
+  return (frame);
+}
+
+Frame
+flat (int width, int height)
+{
+  return (relief (width, height, [] (double) { return (1.0); }));
+}
+
+PatchGraph
+graphOf (const Frame& frame, const Image<int>& image, int count, const PatchGraphParameters& parameters = PatchGraphParameters ())
+{
+  return (buildPatchGraph (frame.cloud, frame.normals, image, count, parameters));
+}
+
+/** \brief Every pair of 8-neighbours of the two labels, counted once. */
+int
+neighboringPairs (const Image<int>& image, int first, int second)
+{
+  int pairs = 0;
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column)
+      for (int r = row - 1; r <= row + 1; ++r)
+        for (int c = column - 1; c <= column + 1; ++c)
+          pairs += image (column, row) == first && image.contains (c, r) && image (c, r) == second;
+  return (pairs);
+}
+
+/** \brief For every pixel of a label, its 8 neighbours that are not of the label. */
+int
+contourPairs (const Image<int>& image, int label)
+{
+  int pairs = 0;
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column)
+      for (int r = row - 1; r <= row + 1; ++r)
+        for (int c = column - 1; c <= column + 1; ++c)
+          pairs += image (column, row) == label && !(image.contains (c, r) && image (c, r) == label);
+  return (pairs);
+}
+
+} // namespace
+
+TEST (PatchGraph, CountsTheBorderOfTwoPatchesByHand)
+{
+  // 3 pairs along the rows and 2 along either diagonal.
+  const Image<int> image = labels ({"1122", "1122", "1122"});
+  const PatchGraph graph = graphOf (flat (4, 3), image, 2);
+  const PatchBorder border = graph.border (1, 2);
+  EXPECT_EQ (border.pairs, 7);
+  EXPECT_EQ (border.connected, 7);
+  EXPECT_EQ (border.first_in_front + border.second_in_front, 0);
+  EXPECT_EQ (border.connectedShare (), 1.0f);
+  EXPECT_EQ (graph.neighbors, (std::vector<std::vector<int>>{{}, {2}, {1}}));
+  // Per label: 3 rows, 2 columns and 4 + 4 diagonals, each entered and left once.
+  EXPECT_EQ (graph.perimeter, (std::vector<int>{0, 26, 26}));
+  // All but the two inner pixels of each, which are (1, 1) and (2, 1).
+  EXPECT_EQ (graph.image_border, (std::vector<int>{0, 5, 5}));
+}
+
+TEST (PatchGraph, CountsBordersAndPerimetersLikeANaiveScan)
+{
+  std::mt19937 random (1);
+  std::uniform_int_distribution<int> label (0, 5);
+  PatchGraphParameters parameters;
+  parameters.maximum_gap = 0;
+  for (int round = 0; round < 30; ++round)
+  {
+    const int width = 5 + round, height = 34 - round;
+    Image<int> image (width, height, 0);
+    // Blocks of 3 pixels, so that there are insides as well.
+    for (int row = 0; row < height; row += 3)
+      for (int column = 0; column < width; column += 3)
+      {
+        const int value = label (random);
+        for (int r = row; r < std::min (height, row + 3); ++r)
+          for (int c = column; c < std::min (width, column + 3); ++c)
+            image (c, r) = value;
+      }
+    const PatchGraph graph = graphOf (flat (width, height), image, 5, parameters);
+    for (int a = 1; a <= 5; ++a)
+    {
+      EXPECT_EQ (graph.perimeter[a], contourPairs (image, a));
+      for (int b = 1; b <= 5; ++b)
+        if (a != b)
+        {
+          EXPECT_EQ (graph.border (a, b).pairs, neighboringPairs (image, a, b));
+          const bool listed = std::count (graph.neighbors[a].begin (), graph.neighbors[a].end (), b) == 1;
+          EXPECT_EQ (listed, graph.border (a, b).pairs > 0);
+        }
+    }
+  }
+}
+
+TEST (PatchGraph, AStepInDepthIsNotConnectedAndTheNearerPatchIsInFront)
+{
+  const Image<int> image = labels ({"1122", "1122", "1122"});
+  const Frame left_near = relief (4, 3, [] (double column) { return (column < 1.5 ? 1.0 : 1.05); });
+  const PatchBorder border = graphOf (left_near, image, 2).border (1, 2);
+  EXPECT_EQ (border.pairs, 7);
+  EXPECT_EQ (border.connected, 0);
+  EXPECT_EQ (border.first_in_front, 7);
+  EXPECT_EQ (border.second_in_front, 0);
+  EXPECT_EQ (border.convexity_pairs, 0);
+  const Frame right_near = relief (4, 3, [] (double column) { return (column < 1.5 ? 1.05 : 1.0); });
+  EXPECT_EQ (graphOf (right_near, image, 2).border (1, 2).second_in_front, 7);
+  // 5 cm are connected if one asks for it.
+  PatchGraphParameters wide;
+  wide.connection_distance = 0.06f;
+  EXPECT_EQ (graphOf (left_near, image, 2, wide).border (1, 2).connected, 7);
+}
+
+TEST (PatchGraph, ABorderSeenFromTheOtherPatchIsReversed)
+{
+  const Image<int> image = labels ({"1122", "1122", "1122"});
+  // The upper row is connected, the others are not.
+  Frame frame = flat (4, 3);
+  for (int row = 1; row < 3; ++row)
+    for (int column = 2; column < 4; ++column)
+      frame.cloud.z[frame.index (column, row)] = 1.2f;
+  const PatchGraph graph = graphOf (frame, image, 2);
+  const PatchBorder one = graph.border (1, 2), two = graph.border (2, 1);
+  EXPECT_EQ (one.connected, 2); // (1,0)-(2,0) and (1,1)-(2,0)
+  EXPECT_EQ (one.first_in_front, 5);
+  EXPECT_EQ (two.second_in_front, 5);
+  EXPECT_EQ (two.first_in_front, 0);
+  EXPECT_EQ (two.pairs, one.pairs);
+  EXPECT_EQ (two.connected, one.connected);
+  EXPECT_EQ (two.convexity_sum, one.convexity_sum);
+  EXPECT_EQ (graph.border (1, 1).pairs, 0);
+  PatchBorder sum = one;
+  sum += one.reversed ();
+  EXPECT_EQ (sum.pairs, 14);
+  EXPECT_EQ (sum.first_in_front, 5);
+  EXPECT_EQ (sum.second_in_front, 5);
+}
+
+TEST (PatchGraph, ARoofIsConvexAValleyConcaveAPlaneNeither)
+{
+  Image<int> image (24, 1, 1);
+  for (int column = 12; column < 24; ++column)
+    image (column, 0) = 2;
+  for (const double slope : {0.3, 1.0, 2.0})
+  {
+    // The edge lies between the columns 11 and 12. With slopes -s and s towards the viewer the normals differ by
+    // 2 s / sqrt (1 + s^2) along x, which is the direction from one side to the other.
+    const double expected = 2.0 * slope / std::sqrt (1.0 + slope * slope);
+    const PatchBorder roof = graphOf (relief (24, 1, [=] (double c) { return (1.0 + 0.001 * slope * std::abs (c - 11.5)); }),
+                                      image, 2).border (1, 2);
+    EXPECT_EQ (roof.convexity_pairs, 1);
+    EXPECT_NEAR (roof.convexity (), expected, 1e-4);
+    const PatchBorder valley = graphOf (relief (24, 1, [=] (double c) { return (1.0 - 0.001 * slope * std::abs (c - 11.5)); }),
+                                        image, 2).border (1, 2);
+    EXPECT_NEAR (valley.convexity (), -expected, 1e-4);
+    const PatchBorder plane =
+      graphOf (relief (24, 1, [=] (double c) { return (1.0 + 0.001 * slope * c); }), image, 2).border (1, 2);
+    EXPECT_EQ (plane.convexity_pairs, 1);
+    EXPECT_NEAR (plane.convexity (), 0.0, 1e-5);
+    EXPECT_EQ (plane.connected, 1);
+  }
+}
+
+TEST (PatchGraph, ConvexityAlongTheDiagonalsIsByHand)
+{
+  // Both samples of a diagonal pair lie d steps away along it, so D is the diagonal and only its share along x counts.
+  Image<int> image (24, 20, 1);
+  for (int row = 0; row < 20; ++row)
+    for (int column = 12; column < 24; ++column)
+      image (column, row) = 2;
+  const Frame frame = relief (24, 20, [] (double c) { return (1.0 + 0.001 * std::abs (c - 11.5)); });
+  const PatchBorder border = graphOf (frame, image, 2).border (1, 2);
+  EXPECT_EQ (border.pairs, 20 + 19 + 19);
+  // Diagonals need 2 more pixels at least on either side, inside the image: 2 are lost at either end of each direction.
+  const int diagonals = 2 * (19 - 4);
+  EXPECT_EQ (border.convexity_pairs, 20 + diagonals);
+  const double straight = std::sqrt (2.0);
+  // On a diagonal the sides may reach differently far; where both reach 6 pixels D is the diagonal itself.
+  EXPECT_LT (border.convexity (), straight);
+  EXPECT_GT (border.convexity (), straight * (20 + diagonals * 0.65) / (20 + diagonals));
+  EXPECT_LT (border.convexity (), straight * (20 + diagonals * 0.75) / (20 + diagonals));
+}
+
+TEST (PatchGraph, BordersReachOverGapsUpToTheirLimit)
+{
+  PatchGraphParameters parameters;
+  parameters.maximum_gap = 2;
+  const auto pairsOver = [&] (const std::string& row) {
+    const Image<int> image = labels ({row});
+    return (graphOf (flat (image.width, 1), image, 2, parameters).border (1, 2).pairs);
+  };
+  EXPECT_EQ (pairsOver ("11122"), 1);
+  EXPECT_EQ (pairsOver ("11.22"), 1);
+  EXPECT_EQ (pairsOver ("11..22"), 1);
+  EXPECT_EQ (pairsOver ("11...22"), 0);
+  // Not through another patch, and not around the end of a row.
+  EXPECT_EQ (pairsOver ("11322"), 0);
+  EXPECT_EQ (graphOf (flat (2, 2), labels ({".1", "2."}), 2, parameters).border (1, 2).pairs, 1);
+  const Image<int> rows = labels ({"..1", "2..", "..."});
+  parameters.maximum_gap = 0;
+  EXPECT_EQ (graphOf (flat (3, 3), rows, 2, parameters).border (1, 2).pairs, 0);
+}
+
+TEST (PatchGraph, AGapCountsToThePerimeterOfBothSides)
+{
+  const Image<int> image = labels ({"1..2"});
+  const PatchGraph graph = graphOf (flat (4, 1), image, 2);
+  EXPECT_EQ (graph.border (1, 2).pairs, 1);
+  // A single pixel has 8 neighbours.
+  EXPECT_EQ (graph.perimeter, (std::vector<int>{0, 8, 8}));
+}
+
+TEST (PatchGraph, AGapLeavesRoomForThePixelsItHides)
+{
+  // 5 pixels of 1 mm in between: 6 mm apart, beyond the 1 mm of connection_distance, unless every pixel of the gap adds its width.
+  const Image<int> image = labels ({"111.....222", "111.....222"});
+  PatchGraphParameters parameters;
+  parameters.connection_distance = 0.002f;
+  parameters.gap_slack = 0.0f;
+  const Frame frame = flat (11, 2);
+  EXPECT_EQ (graphOf (frame, image, 2, parameters).border (1, 2).connected, 0);
+  parameters.gap_slack = 1.5f;
+  // 2 mm + 1.5 * 5 * 1 mm
+  EXPECT_EQ (graphOf (frame, image, 2, parameters).border (1, 2).connected, 2);
+  parameters.gap_slack = 0.7f;
+  // 2 mm + 0.7 * 5 mm is less than 6 mm
+  EXPECT_EQ (graphOf (frame, image, 2, parameters).border (1, 2).connected, 0);
+}
+
+TEST (PatchGraph, OfNothingIsEmpty)
+{
+  const PatchGraph graph = graphOf (flat (5, 4), Image<int> (5, 4, 0), 0);
+  EXPECT_TRUE (graph.borders.empty ());
+  EXPECT_EQ (graph.perimeter, (std::vector<int>{0}));
+  EXPECT_EQ (graph.border (1, 2).pairs, 0);
+  EXPECT_EQ (graph.border (1, 2).connectedShare (), 0.0f);
+  EXPECT_EQ (graph.border (1, 2).convexity (), 0.0f);
+}

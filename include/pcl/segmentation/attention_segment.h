@@ -7,7 +7,7 @@ namespace pcl
 {
 
 /** \brief One object: its points, the fixation it grew from, plane, box, compactness and why growth ended.
-  * See \ref pcl_attention::AttentionSegment for every field. */
+ * See \ref pcl_attention::AttentionSegment for every field. */
 using AttentionSegment = pcl_attention::AttentionSegment;
 
 /** \brief A fixation; see \ref pcl_attention::AttentionPoint. */

@@ -6,74 +6,82 @@
 namespace pcl
 {
 
-/** \brief Finds the objects of an organized RGB-D cloud in order of attention and segments each, after Potapova, Varadarajan,
-  * Richtsfeld, Zillich and Vincze, "Attention-driven Object Detection and Segmentation of Cluttered Table Scenes using 2.5D
-  * Symmetry", ICRA 2014.
-  *
-  * \code
-  * pcl::AttentionSegmentation<pcl::PointXYZRGB> segmentation;
-  * segmentation.setInputCloud (cloud);
-  * std::vector<pcl::AttentionSegment> objects;
-  * segmentation.segment (objects);
-  * \endcode
-  *
-  * The cloud must be organized; points that are not finite are holes. Points without colour (pcl::PointXYZ) work: the colour
-  * constraint is then off. The viewpoint is the cloud's sensor_origin_ and sensor_orientation_ (x right, y down, z forward).
-  * setIndices masks points; the results keep indices of the full cloud. Normals, saliency, attention points and patches are
-  * computed, each unless the user brings it.
-  *
-  * Nothing throws: an error is reported by PCL_ERROR, the output is empty and the return value false. */
-template <typename PointT>
-class AttentionSegmentation : public AttentionBase<PointT>
+/** \brief Finds the objects of an organized RGB-D cloud in order of attention and segments each, after Potapova,
+ * Varadarajan, Richtsfeld, Zillich and Vincze, "Attention-driven Object Detection and Segmentation of Cluttered Table
+ * Scenes using 2.5D Symmetry", ICRA 2014.
+ *
+ * \code
+ * pcl::AttentionSegmentation<pcl::PointXYZRGB> segmentation;
+ * segmentation.setInputCloud (cloud);
+ * std::vector<pcl::AttentionSegment> objects;
+ * segmentation.segment (objects);
+ * \endcode
+ *
+ * The cloud must be organized; points that are not finite are holes. Points without colour (pcl::PointXYZ) work: the
+ * colour constraint is then off. The viewpoint is the cloud's sensor_origin_ and sensor_orientation_ (x right, y down,
+ * z forward). setIndices masks points; the results keep indices of the full cloud. Normals, saliency, attention points
+ * and patches are computed, each unless the user brings it.
+ *
+ * Nothing throws: an error is reported by PCL_ERROR, the output is empty and the return value false. */
+template <typename PointT> class AttentionSegmentation : public AttentionBase<PointT>
 {
 public:
   using Ptr = shared_ptr<AttentionSegmentation<PointT>>;
   using ConstPtr = shared_ptr<const AttentionSegmentation<PointT>>;
 
   /** \param[in] parameters of all stages; the default is the best setting known for every sensor */
-  explicit AttentionSegmentation (const pcl_attention::AttentionParameters& parameters = {}) { setParameters (parameters); }
+  explicit AttentionSegmentation (const pcl_attention::AttentionParameters& parameters = {})
+  {
+    setParameters (parameters);
+  }
 
   using AttentionBase<PointT>::setInputNormals;
   using AttentionBase<PointT>::setSaliency;
   using AttentionBase<PointT>::setPatches;
   using AttentionBase<PointT>::setNumberOfThreads;
 
-  /** \brief The user's points come first, in the given order; those that lead to an earlier segment are skipped, and patches
-    * that none of them claims come after, unless \ref pcl_attention::SegmentationParameters switches that off. */
+  /** \brief The user's points come first, in the given order; those that lead to an earlier segment are skipped, and
+   * patches that none of them claims come after, unless \ref pcl_attention::SegmentationParameters switches that off.
+   */
   using AttentionBase<PointT>::setAttentionPoints;
   using AttentionBase<PointT>::clearAttentionPoints;
 
   /** \brief Set the parameters of all stages. Checked when segmenting. */
   void
-  setParameters (const pcl_attention::AttentionParameters& parameters) { changeParameters () = parameters; }
+  setParameters (const pcl_attention::AttentionParameters& parameters)
+  {
+    changeParameters () = parameters;
+  }
 
   const pcl_attention::AttentionParameters&
-  getParameters () const { return (this->parameters ()); }
+  getParameters () const
+  {
+    return (this->parameters ());
+  }
 
   /** \brief Segment every object, in order of attention.
-    * \param[out] segments one per object
-    * \return false on an error; a scene without objects is none */
-  bool
-  segment (std::vector<AttentionSegment>& segments);
+   * \param[out] segments one per object
+   * \return false on an error; a scene without objects is none */
+  bool segment (std::vector<AttentionSegment>& segments);
 
   /** \brief Segment the next object in order of attention; the first call after anything was set starts the frame.
-    * \return false when there is none left, or on an error */
-  bool
-  segmentNext (AttentionSegment& segment);
+   * \return false when there is none left, or on an error */
+  bool segmentNext (AttentionSegment& segment);
 
   /** \brief Segment the object at a pixel of your own choice; does not change what \ref segmentNext gives.
-    * \return false when there is no object at the pixel, or on an error */
-  bool
-  segmentAt (int column, int row, AttentionSegment& segment);
+   * \return false when there is no object at the pixel, or on an error */
+  bool segmentAt (int column, int row, AttentionSegment& segment);
 
   /** \brief The supporting plane first, if there is one, then the other planes of the background. Empty on an error. */
-  std::vector<SupportingPlane>
-  getSupportingPlanes ();
+  std::vector<SupportingPlane> getSupportingPlanes ();
 
   /** \brief The stages behind the segments: saliency, points, patches, graph and times. Null before a frame is started.
-    * Patches are numbered 1, 2, ... there, also the user's own. */
+   * Patches are numbered 1, 2, ... there, also the user's own. */
   pcl_attention::AttentionPipeline*
-  getPipeline () { return (this->isStarted () ? &pipeline_ : nullptr); }
+  getPipeline ()
+  {
+    return (this->isStarted () ? &pipeline_ : nullptr);
+  }
 
 protected:
   using AttentionBase<PointT>::pipeline_;
@@ -81,7 +89,10 @@ protected:
   using AttentionBase<PointT>::run;
 
   std::string
-  getClassName () const override { return ("AttentionSegmentation"); }
+  getClassName () const override
+  {
+    return ("AttentionSegmentation");
+  }
 };
 
 } // namespace pcl

@@ -182,11 +182,26 @@ private:
   PatchBorder
   borderBetween (const Piece& piece, const Piece& other) const;
 
+  int
+  commonPixels (const Piece& piece, const Piece& other) const;
+
+  /** \brief Whether two pieces, grown from different patches, are mostly one. */
+  bool
+  isSame (const Piece& piece, const Piece& other) const;
+
   /** \brief Join the first neighbouring piece that belongs to the object although it is not connected over a border that the
     * constraints allow.
     * \return false when there is none */
   bool
   joinPiece (Piece& object);
+  /** \brief Grow from the initial patches and join what belongs to the object. */
+  Piece
+  wholeObject (const std::vector<int>& initial, std::vector<GrowthStep>* steps);
+
+  /** \brief A fixation may lie on a handle: if a much larger neighbour, grown on its own, takes the object in, it is the object. */
+  void
+  takeLargerObject (Piece& object, std::vector<GrowthStep>& steps);
+
   bool
   isFragmentOf (const Piece& object, const Piece& piece);
   bool

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <pcl/segmentation/attention_base.h>
-#include <pcl/segmentation/impl/organized_cloud.hpp>
 #include <pcl_attention/core/parameters.h>
 
 #include <pcl/console/print.h>
+#include <pcl/segmentation/impl/organized_cloud.hpp>
 
 #include <algorithm>
 #include <exception>
@@ -14,14 +14,16 @@
 namespace pcl
 {
 
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::setInputCloud (const PointCloudConstPtr& cloud)
 {
   PCLBase<PointT>::setInputCloud (cloud);
   forget ();
 }
 
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::setIndices (const IndicesPtr& indices)
 {
   PCLBase<PointT>::setIndices (indices);
@@ -29,20 +31,24 @@ AttentionBase<PointT>::setIndices (const IndicesPtr& indices)
 }
 
 // PCL's own setters of constant indices do not expect null.
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::setIndices (const IndicesConstPtr& indices)
 {
   setIndices (indices ? IndicesPtr (new Indices (*indices)) : IndicesPtr ());
 }
 
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::setIndices (const PointIndicesConstPtr& indices)
 {
   setIndices (indices ? IndicesPtr (new Indices (indices->indices)) : IndicesPtr ());
 }
 
-template <typename PointT> void
-AttentionBase<PointT>::setIndices (std::size_t row_start, std::size_t col_start, std::size_t nb_rows, std::size_t nb_cols)
+template <typename PointT>
+void
+AttentionBase<PointT>::setIndices (std::size_t row_start, std::size_t col_start, std::size_t nb_rows,
+                                   std::size_t nb_cols)
 {
   if (!accept ("setIndices", input_ ? "" : "No input cloud: call setInputCloud before a rectangle is set."))
     return;
@@ -50,42 +56,48 @@ AttentionBase<PointT>::setIndices (std::size_t row_start, std::size_t col_start,
   forget ();
 }
 
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::setInputNormals (const pcl::PointCloud<pcl::Normal>::ConstPtr& normals)
 {
   normals_ = normals;
   forget ();
 }
 
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::setSaliency (const pcl::PointCloud<pcl::Intensity>::ConstPtr& saliency)
 {
   saliency_ = saliency;
   forget ();
 }
 
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::setAttentionPoints (const std::vector<AttentionPoint>& points)
 {
   attention_points_ = points;
   forget ();
 }
 
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::clearAttentionPoints ()
 {
   attention_points_.reset ();
   forget ();
 }
 
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::setPatches (const pcl::PointCloud<pcl::Label>::ConstPtr& patches)
 {
   patches_ = patches;
   forget ();
 }
 
-template <typename PointT> std::string
+template <typename PointT>
+std::string
 AttentionBase<PointT>::checkInput () const
 {
   std::string problem = pcl_attention::validate (parameters_);
@@ -108,7 +120,8 @@ AttentionBase<PointT>::checkInput () const
   return (problem);
 }
 
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::start ()
 {
   pcl_attention::OrganizedCloud flat = pcl_attention::gather (*input_, indices_.get ());
@@ -152,7 +165,9 @@ AttentionBase<PointT>::start ()
   }
 }
 
-template <typename PointT> template <typename Work> bool
+template <typename PointT>
+template <typename Work>
+bool
 AttentionBase<PointT>::run (const char* method, const Work& work)
 {
   try
@@ -173,7 +188,9 @@ AttentionBase<PointT>::run (const char* method, const Work& work)
   }
 }
 
-template <typename PointT> template <typename Work> bool
+template <typename PointT>
+template <typename Work>
+bool
 AttentionBase<PointT>::runForSegment (const char* method, AttentionSegment& segment, const Work& work)
 {
   const bool found = run (method, [&] {
@@ -187,7 +204,8 @@ AttentionBase<PointT>::runForSegment (const char* method, AttentionSegment& segm
   return (found);
 }
 
-template <typename PointT> bool
+template <typename PointT>
+bool
 AttentionBase<PointT>::runAt (const char* method, const AttentionPoint& point, AttentionSegment& segment)
 {
   return (runForSegment (method, segment, [&] {
@@ -195,7 +213,8 @@ AttentionBase<PointT>::runAt (const char* method, const AttentionPoint& point, A
   }));
 }
 
-template <typename PointT> bool
+template <typename PointT>
+bool
 AttentionBase<PointT>::accept (const char* method, const std::string& problem) const
 {
   if (!problem.empty ())
@@ -203,7 +222,8 @@ AttentionBase<PointT>::accept (const char* method, const std::string& problem) c
   return (problem.empty ());
 }
 
-template <typename PointT> void
+template <typename PointT>
+void
 AttentionBase<PointT>::restoreLabels (AttentionSegment& segment)
 {
   if (patch_labels_.empty ())

@@ -9,13 +9,15 @@
 namespace pcl
 {
 
-template <typename PointT> bool
+template <typename PointT>
+bool
 AttentionPointExtraction<PointT>::extract (std::vector<AttentionPoint>& points)
 {
   points.clear ();
   this->forget ();
-  if (!this->accept ("extract", this->hasSaliency () ? "" : "No saliency map: call setSaliency first, with that of "
-                                                            "pcl::SymmetrySaliencyEstimation or any other."))
+  if (!this->accept ("extract", this->hasSaliency () ? ""
+                                                     : "No saliency map: call setSaliency first, with that of "
+                                                       "pcl::SymmetrySaliencyEstimation or any other."))
     return (false);
   return (this->run ("extract", [&] {
     points = pipeline_.attentionPoints ().points;
@@ -23,15 +25,18 @@ AttentionPointExtraction<PointT>::extract (std::vector<AttentionPoint>& points)
   }));
 }
 
-template <typename PointT> pcl::PointCloud<pcl::Label>
+template <typename PointT>
+pcl::PointCloud<pcl::Label>
 AttentionPointExtraction<PointT>::getComponents () const
 {
   if (!this->isStarted ())
     return {};
-  return (pcl_attention::scatter<pcl::Label> (pipeline_.attentionPoints ().components, input_->header, &pcl::Label::label));
+  return (
+      pcl_attention::scatter<pcl::Label> (pipeline_.attentionPoints ().components, input_->header, &pcl::Label::label));
 }
 
-template <typename PointT> std::vector<pcl::PointIndices>
+template <typename PointT>
+std::vector<pcl::PointIndices>
 AttentionPointExtraction<PointT>::getSkeletons () const
 {
   if (!this->isStarted ())
@@ -50,7 +55,8 @@ AttentionPointExtraction<PointT>::getSkeletons () const
   return (skeletons);
 }
 
-template <typename PointT> std::vector<float>
+template <typename PointT>
+std::vector<float>
 AttentionPointExtraction<PointT>::getMeanSaliency () const
 {
   if (!this->isStarted ())
@@ -60,4 +66,5 @@ AttentionPointExtraction<PointT>::getMeanSaliency () const
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_AttentionPointExtraction(T) template class PCL_ATTENTION_EXPORTS pcl::AttentionPointExtraction<T>;
+#define PCL_INSTANTIATE_AttentionPointExtraction(T)                                                                    \
+  template class PCL_ATTENTION_EXPORTS pcl::AttentionPointExtraction<T>;

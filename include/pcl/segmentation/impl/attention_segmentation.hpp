@@ -7,7 +7,8 @@
 namespace pcl
 {
 
-template <typename PointT> bool
+template <typename PointT>
+bool
 AttentionSegmentation<PointT>::segment (std::vector<AttentionSegment>& segments)
 {
   segments.clear ();
@@ -27,13 +28,15 @@ AttentionSegmentation<PointT>::segment (std::vector<AttentionSegment>& segments)
   return (done);
 }
 
-template <typename PointT> bool
+template <typename PointT>
+bool
 AttentionSegmentation<PointT>::segmentNext (AttentionSegment& segment)
 {
   return (this->runForSegment ("segmentNext", segment, [&] { return (pipeline_.next (segment)); }));
 }
 
-template <typename PointT> bool
+template <typename PointT>
+bool
 AttentionSegmentation<PointT>::segmentAt (int column, int row, AttentionSegment& segment)
 {
   AttentionPoint point;
@@ -42,7 +45,8 @@ AttentionSegmentation<PointT>::segmentAt (int column, int row, AttentionSegment&
   return (this->runAt ("segmentAt", point, segment));
 }
 
-template <typename PointT> std::vector<SupportingPlane>
+template <typename PointT>
+std::vector<SupportingPlane>
 AttentionSegmentation<PointT>::getSupportingPlanes ()
 {
   std::vector<SupportingPlane> planes;

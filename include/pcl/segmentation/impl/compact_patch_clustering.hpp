@@ -7,7 +7,8 @@
 namespace pcl
 {
 
-template <typename PointT> bool
+template <typename PointT>
+bool
 CompactPatchClustering<PointT>::segment (std::vector<AttentionSegment>& segments)
 {
   segments.clear ();
@@ -36,7 +37,8 @@ CompactPatchClustering<PointT>::segment (std::vector<AttentionSegment>& segments
   return (done);
 }
 
-template <typename PointT> bool
+template <typename PointT>
+bool
 CompactPatchClustering<PointT>::segment (const AttentionPoint& point, AttentionSegment& segment)
 {
   return (this->runAt ("segment", point, segment));

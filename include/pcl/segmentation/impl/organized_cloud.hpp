@@ -16,26 +16,28 @@
 #include <utility>
 #include <vector>
 
-// The way between PCL's clouds and the flat arrays of the core. The checks return what is wrong and what to do about it, or an
-// empty text.
+// The way between PCL's clouds and the flat arrays of the core. The checks return what is wrong and what to do about
+// it, or an empty text.
 
 namespace pcl_attention
 {
 
-template <typename PointT, typename = void>
-struct HasRgb : std::false_type
-{};
+template <typename PointT, typename = void> struct HasRgb : std::false_type
+{
+};
 
 template <typename PointT>
 struct HasRgb<PointT, std::void_t<decltype (PointT::r), decltype (PointT::g), decltype (PointT::b)>> : std::true_type
-{};
+{
+};
 
 /** \brief The largest image that is taken: 64 megapixels, so that row-major indices and sums stay far from overflow. */
 constexpr std::size_t most_pixels = std::size_t{1} << 26;
 
-/** \brief From the sensor frame to the cloud's. A quaternion of length zero, as of a cloud whose pose was cleared, turns
-  * nothing. */
-template <typename PointT> Eigen::Isometry3f
+/** \brief From the sensor frame to the cloud's. A quaternion of length zero, as of a cloud whose pose was cleared,
+ * turns nothing. */
+template <typename PointT>
+Eigen::Isometry3f
 sensorPose (const pcl::PointCloud<PointT>& cloud)
 {
   Eigen::Isometry3f pose = Eigen::Isometry3f::Identity ();
@@ -45,14 +47,16 @@ sensorPose (const pcl::PointCloud<PointT>& cloud)
   return (pose);
 }
 
-template <typename CloudT> std::string
+template <typename CloudT>
+std::string
 sizeText (const CloudT& cloud)
 {
   return (std::to_string (cloud.width) + " x " + std::to_string (cloud.height));
 }
 
 /** \param[in] cloud may be null */
-template <typename PointT> std::string
+template <typename PointT>
+std::string
 checkCloud (const pcl::PointCloud<PointT>* cloud)
 {
   if (!cloud)
@@ -76,7 +80,7 @@ checkCloud (const pcl::PointCloud<PointT>* cloud)
 }
 
 /** \param[in] indices may be null
-  * \param[in] count points of the cloud */
+ * \param[in] count points of the cloud */
 inline std::string
 checkIndices (const pcl::Indices* indices, std::size_t count)
 {
@@ -89,7 +93,7 @@ checkIndices (const pcl::Indices* indices, std::size_t count)
 }
 
 /** \param[in] normals may be null
-  * \param[in] count points of the cloud */
+ * \param[in] count points of the cloud */
 inline std::string
 checkNormals (const pcl::PointCloud<pcl::Normal>* normals, std::size_t count)
 {
@@ -100,9 +104,10 @@ checkNormals (const pcl::PointCloud<pcl::Normal>* normals, std::size_t count)
 }
 
 /** \brief Check that there is a value for every pixel.
-  * \param[in] what "saliency map", say
-  * \param[in] image may be null */
-template <typename ValueT, typename PointT> std::string
+ * \param[in] what "saliency map", say
+ * \param[in] image may be null */
+template <typename ValueT, typename PointT>
+std::string
 checkSize (const char* what, const pcl::PointCloud<ValueT>* image, const pcl::PointCloud<PointT>& cloud)
 {
   if (!image || (image->width == cloud.width && image->height == cloud.height && image->size () == cloud.size ()))
@@ -127,7 +132,8 @@ checkSaliency (const pcl::PointCloud<pcl::Intensity>* saliency)
   return ("");
 }
 
-template <typename PointT> std::string
+template <typename PointT>
+std::string
 checkPoint (const AttentionPoint& point, const pcl::PointCloud<PointT>& cloud)
 {
   const std::string pixel = "(" + std::to_string (point.column) + ", " + std::to_string (point.row) + ")";
@@ -141,9 +147,10 @@ checkPoint (const AttentionPoint& point, const pcl::PointCloud<PointT>& cloud)
 }
 
 /** \brief Gather a cloud into flat arrays in the sensor frame. Points that are not finite, or that lie in or behind the
-  * viewpoint, are not valid.
-  * \param[in] indices the points to take, the others are not valid; null takes all */
-template <typename PointT> OrganizedCloud
+ * viewpoint, are not valid.
+ * \param[in] indices the points to take, the others are not valid; null takes all */
+template <typename PointT>
+OrganizedCloud
 gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
 {
   OrganizedCloud flat;
@@ -187,7 +194,7 @@ gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
 }
 
 /** \brief Gather normals into flat arrays in the sensor frame, turned towards the viewpoint.
-  * \param[in] cloud the gathered points */
+ * \param[in] cloud the gathered points */
 inline NormalImage
 gather (const pcl::PointCloud<pcl::Normal>& normals, const Eigen::Isometry3f& sensor_pose, const OrganizedCloud& cloud)
 {
@@ -224,8 +231,8 @@ gather (const pcl::PointCloud<pcl::Intensity>& saliency)
   return (flat);
 }
 
-/** \brief Gather patch labels: whatever they are, they become 1, 2, ... in ascending order. Points that are not valid get none.
-  * \param[in] cloud the gathered points */
+/** \brief Gather patch labels: whatever they are, they become 1, 2, ... in ascending order. Points that are not valid
+ * get none. \param[in] cloud the gathered points */
 inline Image<int>
 gather (const pcl::PointCloud<pcl::Label>& labels, const OrganizedCloud& cloud)
 {
@@ -240,7 +247,7 @@ gather (const pcl::PointCloud<pcl::Label>& labels, const OrganizedCloud& cloud)
   for (std::size_t index = 0; index < labels.size (); ++index)
     if (cloud.valid[index])
       flat[index] =
-        static_cast<int> (std::lower_bound (values.begin (), values.end (), labels[index].label) - values.begin ());
+          static_cast<int> (std::lower_bound (values.begin (), values.end (), labels[index].label) - values.begin ());
   return (flat);
 }
 
@@ -260,7 +267,8 @@ commonLabel (const pcl::PointCloud<pcl::Label>& labels, const pcl::Indices& pixe
 }
 
 /** \brief Turn an image into a cloud of one field, e.g. scatter<pcl::Label> (image, header, &pcl::Label::label). */
-template <typename PointT, typename T, typename Field> pcl::PointCloud<PointT>
+template <typename PointT, typename T, typename Field>
+pcl::PointCloud<PointT>
 scatter (const Image<T>& image, const pcl::PCLHeader& header, Field field)
 {
   pcl::PointCloud<PointT> cloud (static_cast<std::uint32_t> (image.width), static_cast<std::uint32_t> (image.height));

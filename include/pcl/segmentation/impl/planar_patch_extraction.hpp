@@ -7,14 +7,16 @@
 namespace pcl
 {
 
-template <typename PointT> bool
+template <typename PointT>
+bool
 PlanarPatchExtraction<PointT>::extract (std::vector<pcl::PointIndices>& patches)
 {
   patches.clear ();
   this->forget ();
   const bool done = this->run ("extract", [&] {
     // Those of the pipeline would already be cut along the planes of the background.
-    pcl_attention::extractPlanarPatches (pipeline_.cloud (), pipeline_.normals (), this->getPatchParameters (), patches_);
+    pcl_attention::extractPlanarPatches (pipeline_.cloud (), pipeline_.normals (), this->getPatchParameters (),
+                                         patches_);
     for (const pcl_attention::PlanarPatch& patch : patches_.patches)
     {
       patches.emplace_back ();
@@ -28,7 +30,8 @@ PlanarPatchExtraction<PointT>::extract (std::vector<pcl::PointIndices>& patches)
   return (done);
 }
 
-template <typename PointT> pcl::PointCloud<pcl::Label>
+template <typename PointT>
+pcl::PointCloud<pcl::Label>
 PlanarPatchExtraction<PointT>::getLabels () const
 {
   if (!this->isStarted ())
@@ -36,7 +39,8 @@ PlanarPatchExtraction<PointT>::getLabels () const
   return (pcl_attention::scatter<pcl::Label> (patches_.labels, input_->header, &pcl::Label::label));
 }
 
-template <typename PointT> std::vector<pcl_attention::PlanarPatch>
+template <typename PointT>
+std::vector<pcl_attention::PlanarPatch>
 PlanarPatchExtraction<PointT>::getPatches () const
 {
   if (!this->isStarted ())
@@ -51,7 +55,8 @@ PlanarPatchExtraction<PointT>::getPatches () const
   return (patches);
 }
 
-template <typename PointT> pcl_attention::PatchGraph
+template <typename PointT>
+pcl_attention::PatchGraph
 PlanarPatchExtraction<PointT>::getPatchGraph ()
 {
   pcl_attention::PatchGraph graph;

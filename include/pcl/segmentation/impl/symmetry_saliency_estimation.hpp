@@ -7,7 +7,8 @@
 namespace pcl
 {
 
-template <typename PointT> bool
+template <typename PointT>
+bool
 SymmetrySaliencyEstimation<PointT>::compute (pcl::PointCloud<pcl::Intensity>& saliency)
 {
   this->forget ();
@@ -21,7 +22,8 @@ SymmetrySaliencyEstimation<PointT>::compute (pcl::PointCloud<pcl::Intensity>& sa
   return (done);
 }
 
-template <typename PointT> pcl::PointCloud<pcl::Intensity>
+template <typename PointT>
+pcl::PointCloud<pcl::Intensity>
 SymmetrySaliencyEstimation<PointT>::getLevelMap (int level) const
 {
   if (!this->isStarted ())
@@ -30,13 +32,15 @@ SymmetrySaliencyEstimation<PointT>::getLevelMap (int level) const
   if (level < 1 || level > static_cast<int> (levels.size ()))
   {
     this->accept ("getLevelMap", "There is no level " + std::to_string (level) + ": they are 1 to " +
-                                   std::to_string (levels.size ()) + ".");
+                                     std::to_string (levels.size ()) + ".");
     return {};
   }
-  return (pcl_attention::scatter<pcl::Intensity> (levels[level - 1].symmetry, input_->header, &pcl::Intensity::intensity));
+  return (
+      pcl_attention::scatter<pcl::Intensity> (levels[level - 1].symmetry, input_->header, &pcl::Intensity::intensity));
 }
 
-template <typename PointT> pcl::PointCloud<pcl::Label>
+template <typename PointT>
+pcl::PointCloud<pcl::Label>
 SymmetrySaliencyEstimation<PointT>::getWinningPlane () const
 {
   if (!this->isStarted ())
@@ -44,7 +48,8 @@ SymmetrySaliencyEstimation<PointT>::getWinningPlane () const
   return (pcl_attention::scatter<pcl::Label> (pipeline_.saliency ().winning_plane, input_->header, &pcl::Label::label));
 }
 
-template <typename PointT> pcl::PointCloud<pcl::Label>
+template <typename PointT>
+pcl::PointCloud<pcl::Label>
 SymmetrySaliencyEstimation<PointT>::getWinningLevel () const
 {
   if (!this->isStarted ())
@@ -54,4 +59,5 @@ SymmetrySaliencyEstimation<PointT>::getWinningLevel () const
 
 } // namespace pcl
 
-#define PCL_INSTANTIATE_SymmetrySaliencyEstimation(T) template class PCL_ATTENTION_EXPORTS pcl::SymmetrySaliencyEstimation<T>;
+#define PCL_INSTANTIATE_SymmetrySaliencyEstimation(T)                                                                  \
+  template class PCL_ATTENTION_EXPORTS pcl::SymmetrySaliencyEstimation<T>;
