@@ -9,6 +9,14 @@
 namespace pcl_attention
 {
 
+namespace
+{
+
+/** \brief How many times larger an object is than a handle on it, at least. */
+constexpr int much_larger = 4;
+
+} // namespace
+
 const char*
 toString (GrowthConstraint constraint)
 {
@@ -40,7 +48,8 @@ struct CompactClustering::Piece
   ColorHistogram histogram;
   int pixels{0};
   int perimeter{0};            /**< contour pairs */
-  float hollowness{0.0f};
+  float hollowness{0.0f};           /**< of what has grown together */
+  std::vector<const Piece*> joined; /**< what was joined to it */
   ColorHistogram surroundings; /**< the not-object, worked out when it is first needed after a change */
   bool surroundings_known{false};
 };
@@ -438,7 +447,7 @@ bool
 CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
 {
   constexpr float thin = 0.02f;
-  if (piece.pixels >= object.pixels)
+  if (much_larger * piece.pixels > object.pixels)
     return (false);
   // The contour is counted in four directions, so that a strip of w pixels has four pairs for every w pixels of its area.
   const float depth = patches_.patches[piece.patches.front () - 1].centroid.z ();
@@ -463,7 +472,7 @@ CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
 }
 
 bool
-CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
+CompactClustering::isHollowOf (const Piece& object, const Piece& piece, const Piece& whole)
 {
   constexpr float hollow = 0.15f;
   const bool object_is_hollow = object.hollowness > hollow, piece_is_hollow = piece.hollowness > hollow;
@@ -483,10 +492,17 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
   if (own <= 0.0f)
     return (false);
   for (const auto& neighbor : inside.borders)
-    if (!wall.member[neighbor.first] && !isSupport (neighbor.first) && !isSame (pieceAt (neighbor.first), wall) &&
-        score (pieceAt (neighbor.first)) > own)
+    if (!wall.member[neighbor.first] && !isSupport (neighbor.first) && !whole.member[neighbor.first] && !isSame (pieceAt (neighbor.first), wall) &&
+        !isSame (pieceAt (neighbor.first), whole) && score (pieceAt (neighbor.first)) > own)
       return (false);
   return (true);
+}
+
+bool
+CompactClustering::isOtherWallOf (const Piece& object, const Piece& piece)
+{
+  return (std::any_of (object.joined.begin (), object.joined.end (),
+                       [&] (const Piece* inside) { return (isHollowOf (*inside, piece, object)); }));
 }
 
 bool
@@ -589,6 +605,7 @@ CompactClustering::joinPiece (Piece& object)
     for (const int label : piece.patches)
       if (!object.member[label])
         addPatch (label, object);
+    object.joined.push_back (&piece);
     return (true);
   };
   const auto belong = [&] (const Piece& whole, const Piece& part) {
@@ -598,7 +615,7 @@ CompactClustering::joinPiece (Piece& object)
   };
   for (const Piece* piece : neighbors)
     if (belong (object, *piece) || belong (*piece, object) ||
-        (parameters_.join_hollows && (isFloorOf (object, *piece) || isHollowOf (object, *piece))))
+        (parameters_.join_hollows && (isFloorOf (object, *piece) || isHollowOf (object, *piece, object) || isOtherWallOf (object, *piece))))
       return (join (*piece));
   if (!parameters_.join_occluded)
     return (false);
@@ -626,7 +643,6 @@ CompactClustering::wholeObject (const std::vector<int>& initial, std::vector<Gro
 void
 CompactClustering::takeLargerObject (Piece& object, std::vector<GrowthStep>& steps)
 {
-  constexpr int much_larger = 4;
   std::vector<std::pair<int, int>> neighbors;
   for (const auto& [label, border] : object.borders)
     if (border.connected > 0 && !(parameters_.stay_off_support && isSupport (label)))

@@ -209,7 +209,11 @@ private:
   bool
   isFloorOf (const Piece& object, const Piece& piece) const;
   bool
-  isHollowOf (const Piece& object, const Piece& piece);
+  isHollowOf (const Piece& object, const Piece& piece, const Piece& whole);
+
+  /** \brief Whether a piece is another wall of a hollow whose inside was joined, which a handle parts from the first. */
+  bool
+  isOtherWallOf (const Piece& object, const Piece& piece);
   bool
   isEnclosedBy (const Piece& object, const Piece& piece) const;
   bool
