@@ -201,15 +201,17 @@ CompactClustering::unitedHull (int label, const Piece& piece)
 }
 
 float
-CompactClustering::compactnessWith (int label, const Piece& piece, const VisibleHull& hull, bool hollow) const
+CompactClustering::compactnessOf (const std::vector<int>& labels, const VisibleHull& hull, bool hollow) const
 {
   std::vector<Eigen::Vector3f> points;
-  for (const int member : piece.patches)
-    for (const Sample& sample : samples_[member])
+  std::vector<float> weights;
+  for (const int label : labels)
+    for (const Sample& sample : samples_[label])
+    {
       points.push_back (sample.point);
-  for (const Sample& sample : samples_[label])
-    points.push_back (sample.point);
-  return (hollow ? hollowCompactness (points, hull) : compactness (points, hull));
+      weights.push_back (sample.weight);
+    }
+  return (hollow ? hollowCompactness (points, hull, weights) : compactness (points, hull, weights));
 }
 
 ColorHistogram
@@ -331,7 +333,9 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
       return (refuse (GrowthConstraint::color, inside, outside));
   }
   VisibleHull hull = unitedHull (label, piece);
-  const float kappa = compactnessWith (label, piece, hull, hollow);
+  std::vector<int> together = piece.patches;
+  together.push_back (label);
+  const float kappa = compactnessOf (together, hull, hollow);
   if (kappa >= parameters_.compactness_threshold)
     return (refuse (GrowthConstraint::compactness, kappa, parameters_.compactness_threshold));
   step.value = kappa;
@@ -573,13 +577,11 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
   }
   if (between == 0 || nearer < 0.8f * between)
     return (false);
-  std::vector<Eigen::Vector3f> vertices = object.hull_vertices, points;
+  std::vector<Eigen::Vector3f> vertices = object.hull_vertices;
   vertices.insert (vertices.end (), piece.hull_vertices.begin (), piece.hull_vertices.end ());
-  for (const Piece* of : {&object, &piece})
-    for (const int label : of->patches)
-      for (const Sample& sample : samples_[label])
-        points.push_back (sample.point);
-  return (compactness (points, computeVisibleHull (vertices)) <= 0.006f);
+  std::vector<int> together = object.patches;
+  together.insert (together.end (), piece.patches.begin (), piece.patches.end ());
+  return (compactnessOf (together, computeVisibleHull (vertices), false) <= 0.006f);
 }
 
 bool
@@ -688,16 +690,13 @@ CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
     }
   }
   segment.patches = object.patches;
-  std::vector<Eigen::Vector3f> points;
   for (const int label : object.patches)
   {
     const pcl::Indices& pixels = patches_.patches[label - 1].pixels;
     segment.indices.insert (segment.indices.end (), pixels.begin (), pixels.end ());
-    for (const Sample& sample : samples_[label])
-      points.push_back (sample.point);
   }
   std::sort (segment.indices.begin (), segment.indices.end ());
-  segment.compactness = compactness (points, computeVisibleHull (object.hull_vertices));
+  segment.compactness = compactnessOf (object.patches, computeVisibleHull (object.hull_vertices), false);
   const PlanarPatch& first = patches_.patches[initial.front () - 1];
   segment.plane << first.normal, -first.normal.dot (first.centroid);
   return (true);

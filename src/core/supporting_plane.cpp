@@ -88,29 +88,30 @@ struct PlaneFit
   height (const Eigen::Vector3f& point) const { return (normal.dot (point) + offset); }
 };
 
+/** \brief So many points, evenly taken, fix a plane as well as all of them. */
+constexpr std::size_t enough_points = 10000;
+
 PlaneFit
 fitPlane (const OrganizedCloud& cloud, const pcl::Indices& indices)
 {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero ();
-  for (const pcl::index_t index : indices)
-    mean += pointAt (cloud, index).cast<double> () / static_cast<double> (indices.size ());
-  // A point's weight falls with the noise of its depth, which grows with z^2.
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero ();
-  Eigen::Vector3d weighted_mean = Eigen::Vector3d::Zero ();
+  const Eigen::Vector3d origin = pointAt (cloud, indices.front ()).cast<double> ();
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero ();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero ();
   double weights = 0.0;
-  for (const pcl::index_t index : indices)
+  const std::size_t step = std::max<std::size_t> (1, indices.size () / enough_points);
+  for (std::size_t i = 0; i < indices.size (); i += step)
   {
-    const Eigen::Vector3d point = pointAt (cloud, index).cast<double> ();
-    const double weight = 1.0 / std::max (1e-6, std::pow (point.z (), 4));
+    const Eigen::Vector3d point = pointAt (cloud, indices[i]).cast<double> () - origin;
+    // A point's weight falls with the noise of its depth, which grows with z^2.
+    const double depth = cloud.z[indices[i]], weight = 1.0 / std::max (1e-6, depth * depth * depth * depth);
     weights += weight;
-    weighted_mean += weight * (point - mean);
-    covariance += weight * (point - mean) * (point - mean).transpose ();
+    sum += weight * point;
+    square += weight * point * point.transpose ();
   }
-  weighted_mean /= weights;
-  covariance = covariance / weights - weighted_mean * weighted_mean.transpose ();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance);
+  const Eigen::Vector3d mean = sum / weights;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (square / weights - mean * mean.transpose ());
   Eigen::Vector3d normal = solver.eigenvectors ().col (0);
-  const Eigen::Vector3d center = mean + weighted_mean;
+  const Eigen::Vector3d center = origin + mean;
   if (normal.dot (center) > 0.0)
     normal = -normal;
   return {normal.cast<float> (), static_cast<float> (-normal.dot (center))};
@@ -126,11 +127,12 @@ public:
     using Row = Eigen::Matrix<double, 6, 1>;
     Eigen::Matrix<double, 6, 6> square = Eigen::Matrix<double, 6, 6>::Zero ();
     Row product = Row::Zero ();
-    for (const pcl::index_t index : indices)
+    const std::size_t step = std::max<std::size_t> (1, indices.size () / enough_points);
+    for (std::size_t i = 0; i < indices.size (); i += step)
     {
-      const Row row = terms (pointAt (cloud, index)).cast<double> ();
+      const Row row = terms (pointAt (cloud, indices[i])).cast<double> ();
       square += row * row.transpose ();
-      product += row / static_cast<double> (cloud.z[index]);
+      product += row / static_cast<double> (cloud.z[indices[i]]);
     }
     coefficients_ = square.ldlt ().solve (product).cast<float> ();
   }
@@ -318,7 +320,7 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
 
     const Footprint footprint (cloud, patch.pixels, normal);
     double over = 0.0, below = 0.0;
-    constexpr std::size_t step = 4;
+    constexpr std::size_t step = 17; // no divisor of usual widths, so that all columns are met
     for (std::size_t index = 0; index < cloud.size (); index += step)
     {
       if (!cloud.valid[index])

@@ -105,41 +105,60 @@ distanceToTriangle (const Eigen::Vector3f& point, const VisibleHull::Face& face)
 float
 distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Face>& faces)
 {
-  float nearest = std::numeric_limits<float>::max ();
+  if (faces.empty ())
+    return (0.0f);
+  // No triangle is nearer than its plane, and the nearest plane's triangle is nearly always the nearest one.
+  const auto toPlane = [&point] (const VisibleHull::Face& face) { return (std::abs (face.normal.dot (point) + face.offset)); };
+  const VisibleHull::Face* nearest_plane = &faces.front ();
+  float plane_distance = toPlane (*nearest_plane);
   for (const VisibleHull::Face& face : faces)
-    // The plane is never farther than the triangle on it.
-    if (std::abs (face.normal.dot (point) + face.offset) < nearest)
-      nearest = std::min (nearest, distanceToTriangle (point, face));
-  return (faces.empty () ? 0.0f : nearest);
+  {
+    const float distance = toPlane (face);
+    if (distance < plane_distance)
+    {
+      plane_distance = distance;
+      nearest_plane = &face;
+    }
+  }
+  float nearest = distanceToTriangle (point, *nearest_plane);
+  if (nearest > plane_distance)
+    for (const VisibleHull::Face& face : faces)
+      if (toPlane (face) < nearest)
+        nearest = std::min (nearest, distanceToTriangle (point, face));
+  return (nearest);
 }
 
 namespace
 {
 
 float
-meanDistance (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull,
+meanDistance (const std::vector<Eigen::Vector3f>& points, const std::vector<float>& weights, const VisibleHull& hull,
               const std::vector<VisibleHull::Face>& faces)
 {
   if (points.empty () || hull.dimension < 3)
     return (0.0f);
-  double sum = 0.0;
-  for (const Eigen::Vector3f& point : points)
-    sum += distanceToFaces (point, faces);
-  return (static_cast<float> (sum / static_cast<double> (points.size ())));
+  double sum = 0.0, total = 0.0;
+  for (std::size_t i = 0; i < points.size (); ++i)
+  {
+    const double weight = weights.empty () ? 1.0 : weights[i];
+    sum += weight * distanceToFaces (points[i], faces);
+    total += weight;
+  }
+  return (static_cast<float> (sum / total));
 }
 
 } // namespace
 
 float
-compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull)
+compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights)
 {
-  return (meanDistance (points, hull, hull.faces));
+  return (meanDistance (points, weights, hull, hull.faces));
 }
 
 float
-hollowCompactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull)
+hollowCompactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights)
 {
-  return (meanDistance (points, hull, hull.hidden_faces));
+  return (meanDistance (points, weights, hull, hull.hidden_faces));
 }
 
 } // namespace pcl_attention

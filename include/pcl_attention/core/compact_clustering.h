@@ -154,9 +154,9 @@ private:
   float
   borderConvexity (int label, const PatchBorder& border, const Piece& piece) const;
 
-  /** \brief kappa of the piece with one more patch (paper eq. 13), to the hidden faces if both are hollow. */
+  /** \brief kappa of some patches (paper eq. 13), to the hidden faces if they are hollow. */
   float
-  compactnessWith (int label, const Piece& piece, const VisibleHull& hull, bool hollow) const;
+  compactnessOf (const std::vector<int>& labels, const VisibleHull& hull, bool hollow) const;
 
   VisibleHull
   unitedHull (int label, const Piece& piece);

@@ -42,12 +42,13 @@ PCL_ATTENTION_EXPORTS float
 distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Face>& faces);
 
 /** \brief Compactness kappa, the mean distance of the object's points to the visible faces, metres (paper eq. 13).
-  * 0 for a hull of dimension under 3, whose points lie on it. */
+  * 0 for a hull of dimension under 3, whose points lie on it.
+  * \param[in] weights how many points each stands for; empty: one */
 PCL_ATTENTION_EXPORTS float
-compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull);
+compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights = {});
 
 /** \brief The same to the hidden faces: small for the inside of a bowl, whose visible faces are its empty mouth. */
 PCL_ATTENTION_EXPORTS float
-hollowCompactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull);
+hollowCompactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights = {});
 
 } // namespace pcl_attention
