@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// pcl_attention_evaluate: score results against labelled scenes.
+// pcl_attention_evaluate: segment labelled scenes and score the result, or score anyone's results against labelled scenes.
 #include "command_line.h"
 #include "evaluation/labelled_scene.h"
 #include "evaluation/metrics.h"
 #include "evaluation/report.h"
 #include "evaluation/results.h"
+#include "parameter_flags.h"
+
+#include <pcl/segmentation/attention_segmentation.h>
 
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <unistd.h>
 
@@ -28,6 +32,35 @@ storedResults (const std::string& folder)
   return ([folder] (const LabelledScene& scene) {
     return (readResults ((fs::path (folder) / scene.name).string (), static_cast<int> (scene.cloud->width),
                          static_cast<int> (scene.cloud->height)));
+  });
+}
+
+/** \brief Our own segments. */
+Predictor
+ownSegments (const AttentionParameters& parameters, unsigned int threads)
+{
+  const auto segmentation = std::make_shared<pcl::AttentionSegmentation<pcl::PointXYZRGBL>> (parameters);
+  segmentation->setNumberOfThreads (threads);
+  return ([segmentation] (const LabelledScene& scene) {
+    segmentation->setInputCloud (scene.cloud);
+    std::vector<pcl::AttentionSegment> segments;
+    if (!segmentation->segment (segments))
+      throw std::runtime_error (scene.name + ": could not be segmented, see above");
+    ScenePrediction prediction;
+    prediction.width = static_cast<int> (scene.cloud->width);
+    prediction.height = static_cast<int> (scene.cloud->height);
+    for (const pcl::AttentionSegment& segment : segments)
+    {
+      PredictedSegment predicted;
+      predicted.column = segment.attention_point.column;
+      predicted.row = segment.attention_point.row;
+      predicted.kind = toString (segment.attention_point.kind);
+      predicted.confidence = segment.confidence;
+      predicted.mask = segment.indices;
+      prediction.segments.push_back (std::move (predicted));
+    }
+    prediction.labels = labelsOfMasks (prediction.width, prediction.height, prediction.segments);
+    return (prediction);
   });
 }
 
@@ -125,28 +158,34 @@ main (int argc, char** argv)
 {
   namespace po = boost::program_options;
   CommandLine command_line (
-      "pcl_attention_evaluate DATA... -results DIR [flags]",
-      "Scores results against labelled scenes. DATA: labelled PCD files, or folders with them (labels: 0 "
+      "pcl_attention_evaluate DATA... [-results DIR] [flags]",
+      "Segments labelled scenes and scores the result, or scores results of anyone in DIR against labelled scenes. DATA: labelled PCD files, or folders with them (labels: 0 "
       "invalid, 1-19 support,\n20.. parts of objects, label / 10 = object). Results are read from "
       "DIR/<stem>/, in the layout that\npcl_attention_segment writes: attention_points.csv, mask_0001.png "
       "..., optionally labels.pcd and segments.json.");
   // clang-format off
   command_line.addOptions ()
-    ("results", po::value<std::string> (), "folder with the results")
+    ("results", po::value<std::string> (), "folder with results to score instead of our own")
+    ("threads", po::value<int> ()->default_value (0), "number of threads, 0 for all processors; does not change the results")
     ("ground_truth", po::value<std::string> ()->default_value ("both"), "objects, parts or both")
     ("csv", po::value<std::string> (), "file to write with one row an object")
     ("summary_csv", po::value<std::string> (), "file to write with all figures, one row a ground truth and category");
   // clang-format on
+  addParameterFlags (command_line);
   command_line.parse (argc, argv);
   if (command_line.positional ().empty ())
     command_line.fail ("no labelled scene given");
-  if (!command_line.has ("results"))
-    command_line.fail ("-results is missing");
+  if (command_line.get<int> ("threads") < 0)
+    command_line.fail ("-threads is " + std::to_string (command_line.get<int> ("threads")) + ", but must be 0 or more");
+  const AttentionParameters parameters = parametersFromFlags (command_line).values;
   const std::vector<GroundTruthKind> kinds = groundTruthKinds (command_line);
 
   try
   {
-    const Predictor predict = storedResults (command_line.get<std::string> ("results"));
+    const Predictor predict =
+        command_line.has ("results")
+            ? storedResults (command_line.get<std::string> ("results"))
+            : ownSegments (parameters, static_cast<unsigned int> (command_line.get<int> ("threads")));
     report (command_line, kinds, scoreScenes (listScenes (command_line.positional ()), kinds, predict));
   }
   catch (const std::exception& error)

@@ -629,6 +629,20 @@ CompactClustering::joinPiece (Piece& object)
   return (false);
 }
 
+float
+CompactClustering::outlineConfidence (const Piece& object) const
+{
+  int explained = 0, doubtful = 0;
+  for (const auto& [label, border] : object.borders)
+  {
+    explained += border.first_in_front + (isSupport (label) ? border.connected : 0);
+    doubtful += border.second_in_front + (isSupport (label) ? 0 : border.connected);
+  }
+  for (const int label : object.patches)
+    doubtful += graph_.image_border[label];
+  return (explained + doubtful > 0 ? static_cast<float> (explained) / static_cast<float> (explained + doubtful) : 0.0f);
+}
+
 CompactClustering::Piece
 CompactClustering::wholeObject (const std::vector<int>& initial, std::vector<GrowthStep>* steps)
 {
@@ -690,6 +704,7 @@ CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
     }
   }
   segment.patches = object.patches;
+  segment.confidence = outlineConfidence (object);
   for (const int label : object.patches)
   {
     const pcl::Indices& pixels = patches_.patches[label - 1].pixels;

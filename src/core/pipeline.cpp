@@ -89,6 +89,7 @@ AttentionParameters
 AttentionParameters::paper ()
 {
   AttentionParameters parameters;
+  parameters.normals.method = NormalMethod::integral_image;
   parameters.saliency.window_radius = 5;
   parameters.patches.plane_model = PlaneModel::initial;
   parameters.clustering.initial_patches = InitialPatches::within_radius;

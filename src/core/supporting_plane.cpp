@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex_hull.h"
 
+#include <pcl_attention/core/normals.h>
+#include <pcl_attention/core/pyramid.h>
 #include <pcl_attention/core/skeleton.h>
 #include <pcl_attention/core/supporting_plane.h>
 
@@ -245,6 +247,47 @@ touchesImageBorder (const OrganizedCloud& cloud, const pcl::Indices& indices)
   }));
 }
 
+/** \brief Planar patches of the cloud at a quarter of its size, where the mean over many points shows planes whose noise breaks
+  * them into fragments at full size. */
+std::vector<PlanarPatch>
+coarsePatches (const OrganizedCloud& cloud, const NormalImage& normals, float noise)
+{
+  constexpr int scale = 4;
+  OrganizedCloud half, quarter;
+  NormalImage half_normals, quarter_normals;
+  halve (cloud, normals, half, half_normals);
+  halve (half, half_normals, quarter, quarter_normals);
+  std::vector<float> depths;
+  for (std::size_t index = 0; index < quarter.size (); ++index)
+    if (quarter.valid[index])
+      depths.push_back (quarter.z[index]);
+  if (depths.empty ())
+    return {};
+  std::nth_element (depths.begin (), depths.begin () + depths.size () / 2, depths.end ());
+  const float median = depths[depths.size () / 2], deviation = noise * median * median;
+  NormalParameters normal_parameters;
+  normal_parameters.depth_gate = std::max (static_cast<float> (scale) * normal_parameters.depth_gate, 6.0f * deviation);
+  estimateNormals (quarter, normal_parameters, 1, quarter_normals);
+  PatchParameters parameters;
+  parameters.maximum_distance += 3.0f * deviation;
+  parameters.maximum_step = std::max (static_cast<float> (scale) * parameters.maximum_step, 6.0f * deviation);
+  PlanarPatches patches;
+  extractPlanarPatches (quarter, quarter_normals, parameters, patches);
+  std::vector<PlanarPatch> enlarged;
+  for (const PlanarPatch& patch : patches.patches)
+  {
+    PlanarPatch fine = patch;
+    fine.pixels.clear ();
+    for (const pcl::index_t index : patch.pixels)
+      for (int row = scale * (index / quarter.width); row < scale * (index / quarter.width + 1); ++row)
+        for (int column = scale * (index % quarter.width); column < scale * (index % quarter.width + 1); ++column)
+          if (row < cloud.height && column < cloud.width && cloud.valid[static_cast<std::size_t> (row) * cloud.width + column])
+            fine.pixels.push_back (row * cloud.width + column);
+    enlarged.push_back (std::move (fine));
+  }
+  return (enlarged);
+}
+
 } // namespace
 
 float
@@ -282,19 +325,28 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
   const float noise = estimateDepthNoise (cloud);
   const auto valid_points = static_cast<float> (std::count (cloud.valid.begin (), cloud.valid.end (), 1));
 
-  std::vector<int> order;
+  struct Candidate
+  {
+    PlanarPatch patch;
+    int label; /**< 0: of no patch in the graph */
+  };
+  constexpr std::size_t smallest = 200;
+  std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < patches.patches.size (); ++k)
-    if (patches.patches[k].pixels.size () >= 200)
-      order.push_back (static_cast<int> (k));
-  std::stable_sort (order.begin (), order.end (), [&] (int a, int b) {
-    return (patches.patches[a].pixels.size () > patches.patches[b].pixels.size ());
+    if (patches.patches[k].pixels.size () >= smallest)
+      candidates.push_back ({patches.patches[k], static_cast<int> (k) + 1});
+  for (PlanarPatch& patch : coarsePatches (cloud, normals, noise))
+    if (patch.pixels.size () >= smallest)
+      candidates.push_back ({std::move (patch), 0});
+  std::stable_sort (candidates.begin (), candidates.end (), [] (const Candidate& a, const Candidate& b) {
+    return (a.patch.pixels.size () > b.patch.pixels.size ());
   });
 
   std::vector<std::uint8_t> taken (cloud.size (), 0);
   std::vector<double> scores;
-  for (const int k : order)
+  for (const Candidate& candidate : candidates)
   {
-    const PlanarPatch& patch = patches.patches[k];
+    const PlanarPatch& patch = candidate.patch;
     if (areaOf (cloud, patch.pixels, patch.normal, focal_length) < parameters.minimum_area)
       continue;
     const auto known = std::count_if (patch.pixels.begin (), patch.pixels.end (),
@@ -334,12 +386,13 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
         below += step;
     }
     double concave = 0.0;
-    for (const int neighbor : graph.neighbors[k + 1])
-    {
-      const PatchBorder border = graph.border (k + 1, neighbor);
-      if (border.convexity () < -0.2f)
-        concave += border.connected;
-    }
+    if (candidate.label > 0)
+      for (const int neighbor : graph.neighbors[candidate.label])
+      {
+        const PatchBorder border = graph.border (candidate.label, neighbor);
+        if (border.convexity () < -0.2f)
+          concave += border.connected;
+      }
     plane.confidence = static_cast<float> ((over + 100.0) / (over + below + 100.0));
     scores.push_back (static_cast<double> (patch.pixels.size ()) * (concave + 20.0) * (over + 300.0) * plane.confidence *
                       plane.confidence);

@@ -44,9 +44,8 @@ draw (const Picture& image)
   return (text);
 }
 
-/** \brief Components by the simplest means: the smallest index spreads until nothing changes; then numbered in reading order.
-  * \param[in] neighbors 4 or 8
-  * \return their number */
+/** \brief Components by the simplest means: the smallest index spreads until nothing changes; then numbered in reading
+ * order. \param[in] neighbors 4 or 8 \return their number */
 inline int
 floodFill (const Picture& image, Image<int>& labels, int neighbors = 8)
 {

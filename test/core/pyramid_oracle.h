@@ -74,7 +74,8 @@ halved (const Level& fine)
   return (half);
 }
 
-/** \brief Bilinear interpolation where coarse pixel c covers the fine pixels 2c and 2c+1; the outermost values reach outwards. */
+/** \brief Bilinear interpolation where coarse pixel c covers the fine pixels 2c and 2c+1; the outermost values reach
+ * outwards. */
 inline Image<double>
 doubled (const Image<double>& map, int width, int height)
 {
@@ -115,9 +116,9 @@ boxBlurred (const Image<double>& map, int radius)
   return (blurred);
 }
 
-/** \brief Eq. 9 from the raw symmetry of every level, finest first: blur, thresholds, each level divided by its maximum, enlarged
-  * and added; then the sum divided by its maximum.
-  * \param[out] maximum the sum's maximum; may be null */
+/** \brief Eq. 9 from the raw symmetry of every level, finest first: blur, thresholds, each level divided by its
+ * maximum, enlarged and added; then the sum divided by its maximum. \param[out] maximum the sum's maximum; may be null
+ */
 inline Image<double>
 acrossScaleSum (const std::vector<Image<double>>& levels, const std::vector<std::uint8_t>& valid,
                 const SaliencyParameters& parameters, double* maximum = nullptr)

@@ -2,12 +2,10 @@
 #pragma once
 
 #include "scene_renderer.h"
-
 #include <pcl_attention/core/normals.h>
 
-#include <pcl/segmentation/impl/organized_cloud.hpp>
-
 #include <Eigen/Geometry>
+#include <pcl/segmentation/impl/organized_cloud.hpp>
 
 #include <cmath>
 #include <functional>
@@ -30,13 +28,22 @@ struct Frame
   NormalImage normals;
 
   std::size_t
-  index (int column, int row) const { return (static_cast<std::size_t> (row) * cloud.width + column); }
+  index (int column, int row) const
+  {
+    return (static_cast<std::size_t> (row) * cloud.width + column);
+  }
 
   Vector3d
-  point (std::size_t i) const { return {cloud.x[i], cloud.y[i], cloud.z[i]}; }
+  point (std::size_t i) const
+  {
+    return {cloud.x[i], cloud.y[i], cloud.z[i]};
+  }
 
   Vector3d
-  normal (std::size_t i) const { return {normals.x[i], normals.y[i], normals.z[i]}; }
+  normal (std::size_t i) const
+  {
+    return {normals.x[i], normals.y[i], normals.z[i]};
+  }
 
   void
   set (std::size_t i, const Vector3d& point, const Vector3d& normal)
@@ -167,7 +174,8 @@ farther (const Surface& first, const Surface& second)
   });
 }
 
-/** \brief Two planes that meet at a vertical edge at (0, y, depth), each turned away from the viewer by slope radians. */
+/** \brief Two planes that meet at a vertical edge at (0, y, depth), each turned away from the viewer by slope radians.
+ */
 inline Surface
 roof (double depth, double slope)
 {
@@ -196,8 +204,8 @@ hills (unsigned seed, const Camera& camera = Camera (), double amplitude = 0.004
   for (int k = 0; k < 6; ++k)
   {
     const double direction = 6.283185307 * uniform (random), frequency = 0.08 + 0.35 * uniform (random);
-    waves.push_back ({frequency * std::cos (direction), frequency * std::sin (direction), 6.283185307 * uniform (random),
-                      amplitude * (0.3 + uniform (random))});
+    waves.push_back ({frequency * std::cos (direction), frequency * std::sin (direction),
+                      6.283185307 * uniform (random), amplitude * (0.3 + uniform (random))});
   }
   Frame frame = emptyFrame (camera.width, camera.height);
   for (int row = 0; row < camera.height; ++row)
@@ -243,7 +251,8 @@ punchHoles (Frame& frame, unsigned seed, double share)
   std::bernoulli_distribution hole (share);
   for (int row = 0; row < frame.cloud.height; ++row)
     for (int column = 0; column < frame.cloud.width; ++column)
-      if (hole (random) || (std::abs (column - frame.cloud.width / 3) < 4 && std::abs (row - frame.cloud.height / 2) < 3))
+      if (hole (random) ||
+          (std::abs (column - frame.cloud.width / 3) < 4 && std::abs (row - frame.cloud.height / 2) < 3))
         frame.invalidate (frame.index (column, row));
 }
 

@@ -11,8 +11,8 @@
 #include <limits>
 #include <vector>
 
-/** \brief Equations 1 to 8 of the paper once more, as they are printed, in double precision and one pixel after the other: what
-  * the fast implementation is checked against and measured by. Shares no code with it. */
+/** \brief Equations 1 to 8 of the paper once more, as they are printed, in double precision and one pixel after the
+ * other: what the fast implementation is checked against and measured by. Shares no code with it. */
 namespace pcl_attention::oracle
 {
 
@@ -31,11 +31,17 @@ struct Half
   }
 
   Eigen::Vector3d
-  meanPoint () const { return (point / count); }
+  meanPoint () const
+  {
+    return (point / count);
+  }
 
   /** \brief Only its direction enters eq. 6 and 8. */
   Eigen::Vector3d
-  meanNormal () const { return (normal.normalized ()); }
+  meanNormal () const
+  {
+    return (normal.normalized ());
+  }
 };
 
 /** \brief A reflective plane pi_i: through the point, perpendicular to the principal axis. */
@@ -45,7 +51,10 @@ struct ReflectivePlane
 
   /** \brief d (p', pi_i) of eq. 1, signed. */
   double
-  distance (const Eigen::Vector3d& point) const { return (axis.dot (point - through)); }
+  distance (const Eigen::Vector3d& point) const
+  {
+    return (axis.dot (point - through));
+  }
 };
 
 /** \brief Eq. 4. */
@@ -109,12 +118,13 @@ struct Symmetry
 {
   double value{0.0};
   Eigen::Vector3d axis{Eigen::Vector3d::Zero ()}; /**< the principal axis that won; 0 where value is 0 */
-  double axis_uncertainty{0.0}; /**< how far float rounding may turn the principal axes, radians; infinite where two are alike */
-  double margin{std::numeric_limits<double>::infinity ()}; /**< how far the axes could be turned before a sample changes sides
-                                                              or the gate opens or closes, radians */
+  double axis_uncertainty{
+      0.0}; /**< how far float rounding may turn the principal axes, radians; infinite where two are alike */
+  double margin{std::numeric_limits<double>::infinity ()}; /**< how far the axes could be turned before a sample changes
+                                                              sides or the gate opens or closes, radians */
 
-  /** \brief Whether any two correct implementations must agree: elsewhere rounding decides on which side of a plane a sample
-    * lies, and s (p), which jumps there, may be one value or another. */
+  /** \brief Whether any two correct implementations must agree: elsewhere rounding decides on which side of a plane a
+   * sample lies, and s (p), which jumps there, may be one value or another. */
   bool
   isWellDefined (double largest_uncertainty = 1e-4) const
   {
@@ -124,7 +134,8 @@ struct Symmetry
 
 /** \brief s (p), eq. 1 to 3, of one pixel. */
 inline Symmetry
-symmetryAt (const OrganizedCloud& cloud, const NormalImage& normals, const SaliencyParameters& parameters, int column, int row)
+symmetryAt (const OrganizedCloud& cloud, const NormalImage& normals, const SaliencyParameters& parameters, int column,
+            int row)
 {
   const auto indexOf = [&] (int c, int r) { return (static_cast<std::size_t> (r) * cloud.width + c); };
   const auto isValid = [&] (int c, int r) {

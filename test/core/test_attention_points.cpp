@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paper III-C: attention points of a saliency map.
 #include "pictures.h"
-
 #include <pcl_attention/core/attention_points.h>
 
 #include <gtest/gtest.h>
@@ -73,13 +72,8 @@ TEST (MeanSaliency, IsTheMeanOverEachComponent)
 
 TEST (AttentionPoints, AreTheMiddlesOfSimpleLinesInOrderOfTheirMeans)
 {
-  const AttentionPoints result = pointsOf (map ({".........",
-                                                 ".555.....",
-                                                 ".........",
-                                                 ".....###.",
-                                                 ".........",
-                                                 ".777.....",
-                                                 "........."}));
+  const AttentionPoints result =
+      pointsOf (map ({".........", ".555.....", ".........", ".....###.", ".........", ".777.....", "........."}));
   ASSERT_EQ (result.points.size (), 3u);
   EXPECT_EQ (pixelsOf (result), (std::vector<Pixel>{{6, 3}, {2, 5}, {2, 1}}));
   EXPECT_FLOAT_EQ (result.points[0].saliency, 1.0f);
@@ -172,11 +166,8 @@ TEST (AttentionPoints, WhatIsNotANumberOrNegativeCountsAsZero)
 TEST (AttentionPoints, TiesGoToTheirOwnSaliencyThenRowThenColumn)
 {
   // Four lines of mean .5; the last has .7 in its middle.
-  const AttentionPoints result = pointsOf (map ({"......555..",
-                                                 "...........",
-                                                 "555....555.",
-                                                 "...........",
-                                                 "474........"}));
+  const AttentionPoints result =
+      pointsOf (map ({"......555..", "...........", "555....555.", "...........", "474........"}));
   ASSERT_EQ (result.points.size (), 4u);
   for (const AttentionPoint& point : result.points)
     EXPECT_NEAR (point.saliency, 0.5f, 1e-6f);
@@ -186,11 +177,8 @@ TEST (AttentionPoints, TiesGoToTheirOwnSaliencyThenRowThenColumn)
 
 TEST (AttentionPoints, AllJunctionsOrTheMostSalientOne)
 {
-  Image<float> saliency = map ({"5...5.....5...5",
-                                ".5.5.......5.5.",
-                                "..5.........5..",
-                                "..5.........5..",
-                                "...555555555..."});
+  Image<float> saliency =
+      map ({"5...5.....5...5", ".5.5.......5.5.", "..5.........5..", "..5.........5..", "...555555555..."});
   saliency (12, 2) = 0.6f;
   const AttentionPoints all = pointsOf (saliency);
   EXPECT_EQ (pixelsOf (all), (std::vector<Pixel>{{12, 2}, {2, 2}}));
@@ -210,10 +198,7 @@ TEST (AttentionPoints, LieOnValidPixelsOnly)
   valid.assign (9, 0);
   EXPECT_TRUE (pointsOf (saliency, {}, valid).points.empty ());
   // Both junctions move to the only valid pixel, which is listed once.
-  const Image<float> two = map ({"...5.....5...",
-                                 "...5.....5...",
-                                 "...5.....5...",
-                                 "5555555555555"});
+  const Image<float> two = map ({"...5.....5...", "...5.....5...", "...5.....5...", "5555555555555"});
   valid.assign (two.size (), 0);
   valid[3 * 13 + 6] = 1;
   EXPECT_EQ (pixelsOf (pointsOf (two, {}, valid)), (std::vector<Pixel>{{6, 3}}));

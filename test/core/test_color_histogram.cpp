@@ -72,16 +72,16 @@ TEST (ColorBin, OfPrimariesByHand)
 {
   EXPECT_EQ (colorBin (0, 0, 0), binOf (0, 0, 0));
   EXPECT_EQ (colorBin (255, 255, 255), binOf (0, 0, 3));
-  EXPECT_EQ (colorBin (100, 100, 100), binOf (0, 0, 1));  // value .39
-  EXPECT_EQ (colorBin (255, 0, 0), binOf (0, 3, 3));      // 0 degrees
-  EXPECT_EQ (colorBin (255, 255, 0), binOf (1, 3, 3));    // 60 of 45 a bin
-  EXPECT_EQ (colorBin (0, 255, 0), binOf (2, 3, 3));      // 120
-  EXPECT_EQ (colorBin (0, 255, 255), binOf (4, 3, 3));    // 180, the lower end of the fifth bin
-  EXPECT_EQ (colorBin (0, 0, 255), binOf (5, 3, 3));      // 240
-  EXPECT_EQ (colorBin (255, 0, 255), binOf (6, 3, 3));    // 300
-  EXPECT_EQ (colorBin (255, 0, 1), binOf (7, 3, 3));      // just under 360
-  EXPECT_EQ (colorBin (200, 100, 100), binOf (0, 2, 3));  // saturation a half
-  EXPECT_EQ (colorBin (60, 120, 60), binOf (2, 2, 1));    // value .47
+  EXPECT_EQ (colorBin (100, 100, 100), binOf (0, 0, 1)); // value .39
+  EXPECT_EQ (colorBin (255, 0, 0), binOf (0, 3, 3));     // 0 degrees
+  EXPECT_EQ (colorBin (255, 255, 0), binOf (1, 3, 3));   // 60 of 45 a bin
+  EXPECT_EQ (colorBin (0, 255, 0), binOf (2, 3, 3));     // 120
+  EXPECT_EQ (colorBin (0, 255, 255), binOf (4, 3, 3));   // 180, the lower end of the fifth bin
+  EXPECT_EQ (colorBin (0, 0, 255), binOf (5, 3, 3));     // 240
+  EXPECT_EQ (colorBin (255, 0, 255), binOf (6, 3, 3));   // 300
+  EXPECT_EQ (colorBin (255, 0, 1), binOf (7, 3, 3));     // just under 360
+  EXPECT_EQ (colorBin (200, 100, 100), binOf (0, 2, 3)); // saturation a half
+  EXPECT_EQ (colorBin (60, 120, 60), binOf (2, 2, 1));   // value .47
 }
 
 TEST (ColorBins, OfACloudAreThoseOfItsPixelsAndNoneWithoutColour)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paper IV-B: growing an object from patches, on clouds made up for one constraint at a time.
 #include "shapes.h"
-
 #include <pcl_attention/core/pipeline.h>
 
 #include <gtest/gtest.h>
@@ -79,7 +78,8 @@ sorted (std::vector<int> labels)
   return (labels);
 }
 
-/** \brief A plane 64 by 48 pixels large with three squares of 12 by 12 pixels in a row: 1 and 2 touch, 3 touches 2; 4 is the rest. */
+/** \brief A plane 64 by 48 pixels large with three squares of 12 by 12 pixels in a row: 1 and 2 touch, 3 touches 2; 4
+ * is the rest. */
 Case
 squaresOnAPlane ()
 {
@@ -90,15 +90,31 @@ squaresOnAPlane ()
   return (Case (shapes::look (shapes::plane ({0, 0, 0.8}, {0, 0, -1})), labels));
 }
 
-/** \brief A valley whose sides are patches 1 and 2: 45 degrees each, 32 columns wide. */
+/** \brief Points 1 mm apart in x and y, so that no side of a hull is seen edge-on; both halves are patches, 1 and 2.
+ * \param[in] depth of x, metres
+ * \param[in] slope dz / dx of either half */
+template <typename Depth>
+Case
+twoSides (const Depth& depth, double slope1, double slope2)
+{
+  Frame frame = shapes::emptyFrame (64, 48);
+  Image<int> labels (64, 48, 1);
+  for (int row = 0; row < 48; ++row)
+    for (int column = 0; column < 64; ++column)
+    {
+      const double x = 0.001 * (column - 31.5);
+      labels (column, row) = column < 32 ? 1 : 2;
+      frame.set (frame.index (column, row), {x, 0.001 * (row - 23.5), depth (x)},
+                 Vector3d (column < 32 ? slope1 : slope2, 0, -1).normalized ());
+    }
+  return (Case (frame, labels));
+}
+
+/** \brief A valley with sides of 45 degrees, 32 mm wide each. */
 Case
 valley ()
 {
-  Image<int> labels (64, 48, 1);
-  for (int row = 0; row < 48; ++row)
-    for (int column = 32; column < 64; ++column)
-      labels (column, row) = 2;
-  return (Case (shapes::look (shapes::valley (0.8, std::atan (1.0))), labels));
+  return (twoSides ([] (double x) { return (0.8 - std::abs (x)); }, 1.0, -1.0));
 }
 
 const GrowthStep*
@@ -180,14 +196,9 @@ TEST (CompactClustering, WithoutColourTheConstraintHolds)
 
 TEST (CompactClustering, CompactnessRefusesTheOtherSideOfAValley)
 {
-  // The visible face of a valley's hull is its mouth. With sides of 45 degrees, the mean depth under it is half the depth of the
-  // crease under the mouth. A ray at +-s from the middle meets its side at z = 0.8 / (1 + s), so the mouth lies there.
-  const double edge = 31.5 / 525.0, mouth = 0.8 / (1.0 + edge);
-  double sum = 0.0;
-  for (int column = 0; column < 64; ++column)
-    sum += 0.8 / (1.0 + std::abs (column - 31.5) / 525.0) - mouth;
-  const double kappa = sum / 64.0;
-
+  // The visible face of a valley's hull is its mouth, between the outermost points, 31.5 mm before the crease. Points x
+  // mm from the middle lie 31.5 - x mm behind it; the mean of x = 0.5, 1.5 ... 31.5 is 16.
+  const double kappa = 0.0155;
   const Case scene = valley ();
   const AttentionSegment segment = scene.grow (10, 24, plain ());
   EXPECT_EQ (segment.patches, (std::vector<int>{1}));
@@ -196,44 +207,40 @@ TEST (CompactClustering, CompactnessRefusesTheOtherSideOfAValley)
   EXPECT_EQ (segment.steps[0].patch, 2);
   EXPECT_EQ (segment.steps[0].refused_by, GrowthConstraint::compactness);
   EXPECT_FLOAT_EQ (segment.steps[0].limit, 0.005f);
-  EXPECT_NEAR (segment.steps[0].value, kappa, 0.05 * kappa);
+  EXPECT_NEAR (segment.steps[0].value, kappa, 0.03 * kappa); // of 100 points a side
 
   // Just under and over theta_com.
   ClusteringParameters parameters = plain ();
-  parameters.compactness_threshold = static_cast<float> (0.94 * kappa);
+  parameters.compactness_threshold = static_cast<float> (0.96 * kappa);
   EXPECT_EQ (scene.grow (10, 24, parameters).patches.size (), 1u);
-  parameters.compactness_threshold = static_cast<float> (1.06 * kappa);
+  parameters.compactness_threshold = static_cast<float> (1.04 * kappa);
   const AttentionSegment both = scene.grow (10, 24, parameters);
   EXPECT_EQ (sorted (both.patches), (std::vector<int>{1, 2}));
-  EXPECT_NEAR (both.compactness, kappa, 0.05 * kappa);
+  EXPECT_NEAR (both.compactness, kappa, 0.03 * kappa);
 }
 
 TEST (CompactClustering, ARoofIsCompact)
 {
-  Image<int> labels (64, 48, 1);
-  for (int row = 0; row < 48; ++row)
-    for (int column = 32; column < 64; ++column)
-      labels (column, row) = 2;
-  const Case scene (shapes::look (shapes::roof (0.8, std::atan (1.0))), labels);
+  const Case scene = twoSides ([] (double x) { return (0.8 + std::abs (x)); }, -1.0, 1.0);
   const AttentionSegment segment = scene.grow (10, 24, plain ());
   EXPECT_EQ (segment.patches, (std::vector<int>{1, 2}));
-  // The crease lies between two columns, half a pixel from either: less than 1 mm is cut off.
-  EXPECT_LT (segment.compactness, 1e-3f);
+  EXPECT_LT (segment.compactness, 1e-5f);
 }
 
 TEST (CompactClustering, CompactnessRefusesAPatchFarBehind)
 {
-  // Two squares side by side in the image, the second one 30 cm farther away.
-  Image<int> labels (64, 48, 0);
-  for (int row = 12; row < 36; ++row)
-    for (int column = 8; column < 56; ++column)
-      labels (column, row) = column < 32 ? 1 : 2;
-  const shapes::Surface near = shapes::plane ({0, 0, 0.6}, {0, 0, -1}), far = shapes::plane ({0, 0, 0.9}, {0, 0, -1});
-  const Case scene (shapes::look ([&] (const Vector3d& ray) { return (ray.x () < 0.0 ? near (ray) : far (ray)); }), labels);
+  // Both sides face the viewer, the second one is 10 cm farther away. The visible faces are the near side and the one
+  // that runs from its right edge (-0.5, 0) to the right edge of the far side (31.5, 100): its unit normal is (100,
+  // -32) / 105, and the far points (x, 100) lie (31.5 - x) * 100 / 105 mm from it; the mean over x = 0.5 ... 31.5
+  // is 14.76 mm, over both sides half of that.
+  const Case scene = twoSides ([] (double x) { return (x < 0.0 ? 0.8 : 0.9); }, 0.0, 0.0);
+  const double kappa = 0.5 * 15.5e-3 * 100.0 / std::hypot (100.0, 32.0);
   ClusteringParameters parameters = plain ();
   const AttentionSegment segment = scene.grow (20, 24, parameters);
   EXPECT_EQ (segment.patches, (std::vector<int>{1}));
   EXPECT_EQ (segment.growth_end, GrowthConstraint::compactness);
+  ASSERT_EQ (segment.steps.size (), 1u);
+  EXPECT_NEAR (segment.steps[0].value, kappa, 0.05 * kappa);
   // Asked for a connection in 3D, that is what refuses it.
   parameters.minimum_connection = 0.5f;
   const AttentionSegment connected = scene.grow (20, 24, parameters);
@@ -311,7 +318,8 @@ TEST (CompactClustering, FindsNothingWhereThereIsNoPatch)
 TEST (CompactClustering, GivesTheSameFromTheSamePointAgain)
 {
   const Case scene = valley ();
-  CompactClustering clustering (scene.frame.cloud, scene.frame.normals, scene.patches, scene.graph, {}, ClusteringParameters ());
+  CompactClustering clustering (scene.frame.cloud, scene.frame.normals, scene.patches, scene.graph, {},
+                                ClusteringParameters ());
   AttentionPoint point;
   point.column = 10;
   point.row = 24;

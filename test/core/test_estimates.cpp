@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is estimated from the cloud itself: the focal length and the noise of the depth.
 #include "shapes.h"
-
 #include <pcl_attention/core/supporting_plane.h>
 
 #include <gtest/gtest.h>
@@ -41,12 +40,13 @@ TEST (DepthNoise, OfPlanesIsFoundWithinAFewPercent)
     for (const Vector3d& normal : {Vector3d (0, 0, -1), Vector3d (0.5, -0.6, -1)})
       for (const double depth : {0.6, 2.0})
         EXPECT_NEAR (estimateDepthNoise (noisyPlane (noise, normal, depth, 1).cloud) / noise, 1.0, 0.05)
-          << noise << " " << depth << " " << normal.transpose ();
+            << noise << " " << depth << " " << normal.transpose ();
 }
 
 TEST (DepthNoise, OfRenderedScenesIsTheSensors)
 {
-  for (const SceneKind kind : {SceneKind::wall, SceneKind::empty_table, SceneKind::clutter})
+  for (const auto& [kind, tolerance] : std::vector<std::pair<SceneKind, double>>{
+           {SceneKind::wall, 0.15}, {SceneKind::empty_table, 0.15}, {SceneKind::clutter, 0.3}})
     for (const bool quantization : {false, true})
     {
       SceneDescription scene = makeScene (kind, 3);
@@ -59,8 +59,9 @@ TEST (DepthNoise, OfRenderedScenesIsTheSensors)
       const double share = estimateDepthNoise (cloud) / expected;
       std::printf ("             %s%s: %.2f of the true noise\n", sceneKindName (kind).c_str (),
                    quantization ? " quantized" : "", share);
-      // A median of quantized differences is a multiple of the step itself.
-      EXPECT_NEAR (share, 1.0, quantization ? 0.25 : 0.15) << sceneKindName (kind);
+      // The median of quantized differences is a multiple of the step itself. Edges and curved surfaces add to the
+      // noise.
+      EXPECT_NEAR (share, 1.0, quantization ? std::max (0.25, tolerance) : tolerance) << sceneKindName (kind);
     }
 }
 
@@ -77,8 +78,8 @@ TEST (FocalLength, IsThatOfTheCamera)
   for (const double focal_length : {120.0, 525.0, 1050.0})
   {
     const shapes::Camera camera{96, 64, focal_length};
-    for (const shapes::Surface& surface :
-         {shapes::plane ({0, 0, 1}, {0, 0, -1}), shapes::plane ({0, 0, 1}, {0.6, 0.3, -1}), shapes::sphere ({0, 0, 1}, 0.3)})
+    for (const shapes::Surface& surface : {shapes::plane ({0, 0, 1}, {0, 0, -1}),
+                                           shapes::plane ({0, 0, 1}, {0.6, 0.3, -1}), shapes::sphere ({0, 0, 1}, 0.3)})
       EXPECT_NEAR (estimateFocalLength (shapes::look (surface, camera).cloud) / focal_length, 1.0, 1e-4);
   }
 }

@@ -40,10 +40,10 @@ struct Problem
 
 struct Errors
 {
-  double residual{0.0};       /**< largest |A v - l v| in units of the matrix norm */
-  double angle{0.0};          /**< largest |cosine| between two eigenvectors */
-  double length{0.0};         /**< largest deviation from unit length */
-  double eigenvalue{0.0};     /**< largest difference to Eigen's, in units of the matrix norm */
+  double residual{0.0};   /**< largest |A v - l v| in units of the matrix norm */
+  double angle{0.0};      /**< largest |cosine| between two eigenvectors */
+  double length{0.0};     /**< largest deviation from unit length */
+  double eigenvalue{0.0}; /**< largest difference to Eigen's, in units of the matrix norm */
 
   void
   add (const Problem& problem)
@@ -91,8 +91,8 @@ public:
   rotation ()
   {
     return (Eigen::Quaterniond (normal_ (random_), normal_ (random_), normal_ (random_), normal_ (random_))
-              .normalized ()
-              .toRotationMatrix ());
+                .normalized ()
+                .toRotationMatrix ());
   }
 
   Eigen::Matrix3d
@@ -103,7 +103,10 @@ public:
   }
 
   double
-  uniform (double low, double high) { return (std::uniform_real_distribution<double> (low, high) (random_)); }
+  uniform (double low, double high)
+  {
+    return (std::uniform_real_distribution<double> (low, high) (random_));
+  }
 
 private:
   std::mt19937 random_{1};
@@ -117,15 +120,16 @@ specialMatrices ()
   std::vector<Eigen::Matrix3d> matrices;
   for (const double factor : {0.0, 1.0, -2.5, 1e-8, 1e8})
     matrices.push_back (factor * Eigen::Matrix3d::Identity ());
-  for (const Eigen::Vector3d& diagonal : {Eigen::Vector3d (1, 2, 3), Eigen::Vector3d (3, 1, 2), Eigen::Vector3d (2, 3, 1),
-                                          Eigen::Vector3d (1, 1, 5), Eigen::Vector3d (1, 5, 1), Eigen::Vector3d (5, 1, 1),
-                                          Eigen::Vector3d (5, 5, 1), Eigen::Vector3d (5, 1, 5), Eigen::Vector3d (1, 5, 5),
-                                          Eigen::Vector3d (0, 0, 1), Eigen::Vector3d (0, 1, 0), Eigen::Vector3d (1, 0, 0)})
+  for (const Eigen::Vector3d& diagonal :
+       {Eigen::Vector3d (1, 2, 3), Eigen::Vector3d (3, 1, 2), Eigen::Vector3d (2, 3, 1), Eigen::Vector3d (1, 1, 5),
+        Eigen::Vector3d (1, 5, 1), Eigen::Vector3d (5, 1, 1), Eigen::Vector3d (5, 5, 1), Eigen::Vector3d (5, 1, 5),
+        Eigen::Vector3d (1, 5, 5), Eigen::Vector3d (0, 0, 1), Eigen::Vector3d (0, 1, 0), Eigen::Vector3d (1, 0, 0)})
     matrices.push_back (diagonal.asDiagonal ());
   return (matrices);
 }
 
-template <typename Make> Errors
+template <typename Make>
+Errors
 errorsOver (int rounds, const Make& make)
 {
   Errors errors;
@@ -222,8 +226,8 @@ TEST (EigenDecomposition, OfRandomSymmetricMatrices)
   });
   errors.expectSmall (2e-6);
   EXPECT_LT (errors.length, 2e-6);
-  std::printf ("             residual %.2e, cosine %.2e, length %.2e, eigenvalues %.2e\n", errors.residual, errors.angle,
-               errors.length, errors.eigenvalue);
+  std::printf ("             residual %.2e, cosine %.2e, length %.2e, eigenvalues %.2e\n", errors.residual,
+               errors.angle, errors.length, errors.eigenvalue);
 }
 
 TEST (EigenDecomposition, OfCovariancesOfAnySize)

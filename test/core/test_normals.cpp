@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Normals (paper III-A: "locally fitting planes to neighboring points") against windowed PCA and analytic surfaces.
 #include "shapes.h"
-
 #include <pcl_attention/core/normals.h>
 
 #include <Eigen/Eigenvalues>
@@ -36,9 +35,9 @@ struct Fit
   Vector3d normal{Vector3d::Zero ()}, eigenvalues{Vector3d::Zero ()};
 };
 
-/** \brief PCA of the window in double precision. A neighbour counts if its row's pixel in the centre's column is within the gate
-  * of the centre, and it within the gate of that pixel.
-  * \param[out] gated whether the gate shut out any valid neighbour */
+/** \brief PCA of the window in double precision. A neighbour counts if its row's pixel in the centre's column is within
+ * the gate of the centre, and it within the gate of that pixel. \param[out] gated whether the gate shut out any valid
+ * neighbour */
 Fit
 windowedFit (const Frame& frame, int column, int row, int radius, double gate, bool* gated = nullptr)
 {
@@ -56,7 +55,8 @@ windowedFit (const Frame& frame, int column, int row, int radius, double gate, b
       ++all;
       if (!usable (column, r))
         continue;
-      const double center = frame.point (frame.index (column, row)).z (), middle = frame.point (frame.index (column, r)).z ();
+      const double center = frame.point (frame.index (column, row)).z (),
+                   middle = frame.point (frame.index (column, r)).z ();
       const Vector3d point = frame.point (frame.index (c, r));
       if (std::abs (middle - center) < gate && std::abs (point.z () - middle) < gate)
         points.push_back (point);
@@ -104,8 +104,8 @@ compare (const Frame& frame, const NormalParameters& parameters)
       bool gated = false;
       const Fit fit = windowedFit (frame, column, row, parameters.radius, parameters.depth_gate, &gated);
       EXPECT_TRUE (fit.count >= 4 || !normals.valid[index]);
-      // Float differences of depths that are a gate apart may fall on either side of it; a normal needs two dimensions, and
-      // one that stands out.
+      // Float differences of depths that are a gate apart may fall on either side of it; a normal needs two dimensions,
+      // and one that stands out.
       if (fit.count < 4 || fit.eigenvalues[1] < 1e-3 * fit.eigenvalues[2] ||
           fit.eigenvalues[1] - fit.eigenvalues[0] < 0.05 * fit.eigenvalues[1])
         continue;
@@ -114,11 +114,13 @@ compare (const Frame& frame, const NormalParameters& parameters)
       ++comparison.compared;
       comparison.ungated += !gated;
       comparison.largest_angle = std::max (comparison.largest_angle, angleBetween (normal, fit.normal));
-      comparison.largest_curvature = std::max (comparison.largest_curvature,
-                                               std::abs (normals.curvature[index] - fit.eigenvalues[0] / fit.eigenvalues.sum ()));
+      comparison.largest_curvature =
+          std::max (comparison.largest_curvature,
+                    std::abs (normals.curvature[index] - fit.eigenvalues[0] / fit.eigenvalues.sum ()));
     }
-  std::printf ("             compared %d, of them ungated %d, largest angle %.2e degrees, largest curvature difference %.2e\n",
-               comparison.compared, comparison.ungated, comparison.largest_angle, comparison.largest_curvature);
+  std::printf (
+      "             compared %d, of them ungated %d, largest angle %.2e degrees, largest curvature difference %.2e\n",
+      comparison.compared, comparison.ungated, comparison.largest_angle, comparison.largest_curvature);
   return (comparison);
 }
 
@@ -201,10 +203,10 @@ TEST (Normals, OfLonelyPointsAreNotKnown)
     frame.set (frame.index (column, row), shapes::Camera ().ray (column, row), {0, 0, -1});
   };
   put (5, 5);
-  put (20, 5), put (21, 5), put (22, 5);                          // three in a row
-  put (40, 5), put (41, 5), put (40, 6);                          // three in a corner
+  put (20, 5), put (21, 5), put (22, 5);                                // three in a row
+  put (40, 5), put (41, 5), put (40, 6);                                // three in a corner
   put (20, 20), put (21, 20), put (22, 20), put (23, 20), put (24, 20); // a line
-  put (40, 20), put (41, 20), put (40, 21), put (41, 21);         // four in a square
+  put (40, 20), put (41, 20), put (40, 21), put (41, 21);               // four in a square
   const NormalImage normals = normalsOf (frame.cloud);
   for (int row = 0; row < 48; ++row)
     for (int column = 0; column < 64; ++column)
@@ -217,7 +219,8 @@ TEST (Normals, OfLonelyPointsAreNotKnown)
 TEST (Normals, StaySharpAtAStepInDepth)
 {
   // Two walls, 5 cm apart, tilted against each other.
-  const shapes::Surface left = shapes::plane ({0, 0, 0.8}, {0.4, 0, -1}), right = shapes::plane ({0, 0, 0.85}, {-0.3, 0.2, -1});
+  const shapes::Surface left = shapes::plane ({0, 0, 0.8}, {0.4, 0, -1}),
+                        right = shapes::plane ({0, 0, 0.85}, {-0.3, 0.2, -1});
   const Frame frame = shapes::look ([&] (const Vector3d& ray) { return (ray.x () < 0.0 ? left (ray) : right (ray)); });
   const NormalImage normals = normalsOf (frame.cloud);
   for (std::size_t index = 0; index < frame.cloud.size (); ++index)

@@ -36,8 +36,8 @@ otherValue (const ParameterDescription& row, double value)
 
 TEST (ParameterTable, RowsAreCompleteAndTheirNamesUnique)
 {
-  const std::set<std::string> stages{"normals", "saliency", "attention_points", "patches", "patch_graph", "support", "clustering",
-                                     "segmentation"};
+  const std::set<std::string> stages{"normals",     "saliency", "attention_points", "patches",
+                                     "patch_graph", "support",  "clustering",       "segmentation"};
   const std::set<std::string> units{"m", "pixels", "1/m", "radians", "share", "m^2", ""};
   std::set<std::string> names;
   for (const ParameterDescription& row : parameterTable ())

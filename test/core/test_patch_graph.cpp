@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Borders between patches, counted by hand on tiny images.
 #include "shapes.h"
-
 #include <pcl_attention/core/patch_graph.h>
 
 #include <gtest/gtest.h>
@@ -28,7 +27,8 @@ labels (const std::vector<std::string>& rows)
 }
 
 /** \brief Points 1 mm apart in x and y, at a depth of their column, normals from its slope towards the viewer. */
-template <typename Depth> Frame
+template <typename Depth>
+Frame
 relief (int width, int height, const Depth& depth)
 {
   Frame frame = shapes::emptyFrame (width, height);
@@ -49,7 +49,8 @@ flat (int width, int height)
 }
 
 PatchGraph
-graphOf (const Frame& frame, const Image<int>& image, int count, const PatchGraphParameters& parameters = PatchGraphParameters ())
+graphOf (const Frame& frame, const Image<int>& image, int count,
+         const PatchGraphParameters& parameters = PatchGraphParameters ())
 {
   return (buildPatchGraph (frame.cloud, frame.normals, image, count, parameters));
 }
@@ -186,15 +187,17 @@ TEST (PatchGraph, ARoofIsConvexAValleyConcaveAPlaneNeither)
     // The edge lies between the columns 11 and 12. With slopes -s and s towards the viewer the normals differ by
     // 2 s / sqrt (1 + s^2) along x, which is the direction from one side to the other.
     const double expected = 2.0 * slope / std::sqrt (1.0 + slope * slope);
-    const PatchBorder roof = graphOf (relief (24, 1, [=] (double c) { return (1.0 + 0.001 * slope * std::abs (c - 11.5)); }),
-                                      image, 2).border (1, 2);
+    const PatchBorder roof =
+        graphOf (relief (24, 1, [=] (double c) { return (1.0 + 0.001 * slope * std::abs (c - 11.5)); }), image, 2)
+            .border (1, 2);
     EXPECT_EQ (roof.convexity_pairs, 1);
     EXPECT_NEAR (roof.convexity (), expected, 1e-4);
-    const PatchBorder valley = graphOf (relief (24, 1, [=] (double c) { return (1.0 - 0.001 * slope * std::abs (c - 11.5)); }),
-                                        image, 2).border (1, 2);
+    const PatchBorder valley =
+        graphOf (relief (24, 1, [=] (double c) { return (1.0 - 0.001 * slope * std::abs (c - 11.5)); }), image, 2)
+            .border (1, 2);
     EXPECT_NEAR (valley.convexity (), -expected, 1e-4);
     const PatchBorder plane =
-      graphOf (relief (24, 1, [=] (double c) { return (1.0 + 0.001 * slope * c); }), image, 2).border (1, 2);
+        graphOf (relief (24, 1, [=] (double c) { return (1.0 + 0.001 * slope * c); }), image, 2).border (1, 2);
     EXPECT_EQ (plane.convexity_pairs, 1);
     EXPECT_NEAR (plane.convexity (), 0.0, 1e-5);
     EXPECT_EQ (plane.connected, 1);
@@ -203,7 +206,6 @@ TEST (PatchGraph, ARoofIsConvexAValleyConcaveAPlaneNeither)
 
 TEST (PatchGraph, ConvexityAlongTheDiagonalsIsByHand)
 {
-  // Both samples of a diagonal pair lie d steps away along it, so D is the diagonal and only its share along x counts.
   Image<int> image (24, 20, 1);
   for (int row = 0; row < 20; ++row)
     for (int column = 12; column < 24; ++column)
@@ -211,14 +213,17 @@ TEST (PatchGraph, ConvexityAlongTheDiagonalsIsByHand)
   const Frame frame = relief (24, 20, [] (double c) { return (1.0 + 0.001 * std::abs (c - 11.5)); });
   const PatchBorder border = graphOf (frame, image, 2).border (1, 2);
   EXPECT_EQ (border.pairs, 20 + 19 + 19);
-  // Diagonals need 2 more pixels at least on either side, inside the image: 2 are lost at either end of each direction.
-  const int diagonals = 2 * (19 - 4);
-  EXPECT_EQ (border.convexity_pairs, 20 + diagonals);
-  const double straight = std::sqrt (2.0);
-  // On a diagonal the sides may reach differently far; where both reach 6 pixels D is the diagonal itself.
-  EXPECT_LT (border.convexity (), straight);
-  EXPECT_GT (border.convexity (), straight * (20 + diagonals * 0.65) / (20 + diagonals));
-  EXPECT_LT (border.convexity (), straight * (20 + diagonals * 0.75) / (20 + diagonals));
+  EXPECT_EQ (border.convexity_pairs, border.pairs);
+  // The normals differ by sqrt (2) along x. Along a row D is x; along a diagonal it goes n = i + j + 1 pixels across
+  // and as many up or down, i and j being the steps inside either side, 6 or fewer at the image's border, and j - i
+  // pixels in depth.
+  double sum = 20 * std::sqrt (2.0);
+  for (int row = 0; row < 19; ++row)
+  {
+    const int i = std::min (6, row), j = std::min (6, 18 - row), n = i + j + 1;
+    sum += 2 * std::sqrt (2.0) * n / std::sqrt (2.0 * n * n + (j - i) * (j - i));
+  }
+  EXPECT_NEAR (border.convexity_sum, sum, 1e-3);
 }
 
 TEST (PatchGraph, BordersReachOverGapsUpToTheirLimit)
@@ -227,7 +232,7 @@ TEST (PatchGraph, BordersReachOverGapsUpToTheirLimit)
   parameters.maximum_gap = 2;
   const auto pairsOver = [&] (const std::string& row) {
     const Image<int> image = labels ({row});
-    return (graphOf (flat (image.width, 1), image, 2, parameters).border (1, 2).pairs);
+    return (graphOf (flat (image.width, 1), image, 3, parameters).border (1, 2).pairs);
   };
   EXPECT_EQ (pairsOver ("11122"), 1);
   EXPECT_EQ (pairsOver ("11.22"), 1);
@@ -252,7 +257,8 @@ TEST (PatchGraph, AGapCountsToThePerimeterOfBothSides)
 
 TEST (PatchGraph, AGapLeavesRoomForThePixelsItHides)
 {
-  // 5 pixels of 1 mm in between: 6 mm apart, beyond the 1 mm of connection_distance, unless every pixel of the gap adds its width.
+  // 5 pixels of 1 mm in between: 6 mm apart, beyond the 1 mm of connection_distance, unless every pixel of the gap adds
+  // its width.
   const Image<int> image = labels ({"111.....222", "111.....222"});
   PatchGraphParameters parameters;
   parameters.connection_distance = 0.002f;

@@ -2,7 +2,6 @@
 // The Gaussian pyramid (paper III-B) against naive double-precision versions.
 #include "pyramid_oracle.h"
 #include "shapes.h"
-
 #include <pcl_attention/core/pyramid.h>
 
 #include <gtest/gtest.h>
@@ -37,7 +36,8 @@ expectNear (const Image<float>& map, const Image<double>& expected, double toler
 
 TEST (Halving, EqualsTheNaiveVersion)
 {
-  for (const auto& [width, height] : std::vector<std::pair<int, int>>{{64, 48}, {63, 48}, {64, 47}, {33, 21}, {2, 2}, {1, 1}})
+  for (const auto& [width, height] :
+       std::vector<std::pair<int, int>>{{64, 48}, {63, 48}, {64, 47}, {33, 21}, {2, 2}, {1, 1}})
     for (const double holes : {0.0, 0.4})
     {
       SCOPED_TRACE (::testing::Message () << width << "x" << height << " holes " << holes);

@@ -2,7 +2,6 @@
 // Paper III-B, eq. 9: the across-scale sum and what must hold of the whole map.
 #include "pyramid_oracle.h"
 #include "shapes.h"
-
 #include <pcl_attention/core/pyramid.h>
 #include <pcl_attention/core/saliency.h>
 
@@ -89,8 +88,8 @@ TEST (Saliency, IsTheAcrossScaleSumOfItsLevels)
 
 TEST (Saliency, EqualsTheEquationsFromCloudToMap)
 {
-  // Everything in double precision, from eq. 1 to eq. 9. Pixels whose symmetry is not well defined may differ, and the blur
-  // spreads them: the median and the bulk must not.
+  // Everything in double precision, from eq. 1 to eq. 9. Pixels whose symmetry is not well defined may differ, and the
+  // blur spreads them: the median and the bulk must not.
   const Frame frame = shapes::hills (8, {80, 64});
   SaliencyParameters parameters;
   parameters.levels = 3;
@@ -163,7 +162,8 @@ TEST (Saliency, TheWinningPlaneIsKnownWhereverThereIsSaliency)
 
 TEST (Saliency, RoundingIsNoSymmetry)
 {
-  // Normals of the coarser levels of a plane differ by single roundings; divided by the level's maximum they would be all there is.
+  // Normals of the coarser levels of a plane differ by single roundings; divided by the level's maximum they would be
+  // all there is.
   const SaliencyMaps maps = saliencyOf (shapes::look (shapes::plane ({0, 0, 1}, {0.2, 0.1, -1})));
   EXPECT_EQ (maps.maximum, 0.0f);
 }
@@ -172,8 +172,9 @@ TEST (Saliency, OfNothingSymmetricIsZeroAboveATinyFloor)
 {
   SaliencyParameters parameters;
   parameters.saliency_floor = 1e-6f;
-  for (const Frame& frame : {shapes::emptyFrame (40, 30), shapes::emptyFrame (1, 1),
-                             shapes::look (shapes::plane ({0, 0, 1}, {0.2, 0.1, -1})), shapes::look (shapes::valley (0.9, 0.6))})
+  for (const Frame& frame :
+       {shapes::emptyFrame (40, 30), shapes::emptyFrame (1, 1),
+        shapes::look (shapes::plane ({0, 0, 1}, {0.2, 0.1, -1})), shapes::look (shapes::valley (0.9, 0.6))})
   {
     const SaliencyMaps maps = saliencyOf (frame, parameters);
     EXPECT_EQ (maps.maximum, 0.0f);
@@ -217,7 +218,8 @@ TEST (Saliency, TheMirroredCloudHasTheMirroredMap)
     double largest = 0.0;
     for (int row = 0; row < 48; ++row)
       for (int column = 0; column < 64; ++column)
-        largest = std::max<double> (largest, std::abs (maps.saliency (column, row) - mirror.saliency (63 - column, row)));
+        largest =
+            std::max<double> (largest, std::abs (maps.saliency (column, row) - mirror.saliency (63 - column, row)));
     std::printf ("             largest difference %.2e\n", largest);
     EXPECT_LT (largest, 1e-4) << "seed " << seed;
   }
@@ -254,7 +256,8 @@ TEST (Saliency, OfASphereIsHighestAtItsNearestPointOverAllLevels)
 {
   const Frame frame = shapes::look (shapes::sphere ({0, 0, 0.8}, 0.035), {81, 61});
   const SaliencyMaps maps = saliencyOf (frame);
-  const auto best = std::max_element (maps.saliency.data.begin (), maps.saliency.data.end ()) - maps.saliency.data.begin ();
+  const auto best =
+      std::max_element (maps.saliency.data.begin (), maps.saliency.data.end ()) - maps.saliency.data.begin ();
   EXPECT_NEAR (static_cast<double> (best % 81), 40, 2);
   EXPECT_NEAR (static_cast<double> (best / 81), 30, 2);
 }

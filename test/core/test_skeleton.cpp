@@ -82,11 +82,12 @@ expectSkeleton (const Picture& mask, const Picture& skeleton)
           Picture without (3, 3, 0);
           for (int dr = -1; dr <= 1; ++dr)
             for (int dc = -1; dc <= 1; ++dc)
-              without (dc + 1, dr + 1) = (dc != 0 || dr != 0) && skeleton.contains (c + dc, r + dr) &&
-                                         skeleton (c + dc, r + dr);
+              without (dc + 1, dr + 1) =
+                  (dc != 0 || dr != 0) && skeleton.contains (c + dc, r + dr) && skeleton (c + dc, r + dr);
           Image<int> labels;
           EXPECT_GT (pictures::floodFill (without, labels), 1)
-            << "the pixel " << c << " " << r << " of a full square could go\n" << pictures::draw (skeleton);
+              << "the pixel " << c << " " << r << " of a full square could go\n"
+              << pictures::draw (skeleton);
         }
     }
 }
@@ -149,23 +150,15 @@ both (Picture a, const Picture& b)
 TEST (ConnectedComponents, TouchOverCorners)
 {
   Image<int> labels;
-  EXPECT_EQ (labelConnectedComponents (picture ({"#...#",
-                                                 ".#...",
-                                                 "..#..",
-                                                 "#...#"}), labels), 4);
-  EXPECT_EQ (labels.data, (std::vector<int>{1, 0, 0, 0, 2,
-                                            0, 1, 0, 0, 0,
-                                            0, 0, 1, 0, 0,
-                                            3, 0, 0, 0, 4}));
+  EXPECT_EQ (labelConnectedComponents (picture ({"#...#", ".#...", "..#..", "#...#"}), labels), 4);
+  EXPECT_EQ (labels.data, (std::vector<int>{1, 0, 0, 0, 2, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 3, 0, 0, 0, 4}));
   EXPECT_EQ (labelConnectedComponents (picture ({"#.#", ".#.", "#.#"}), labels), 1);
 }
 
 TEST (ConnectedComponents, DoNotWrapAroundTheImage)
 {
   Image<int> labels;
-  EXPECT_EQ (labelConnectedComponents (picture ({"..#",
-                                                 "#..",
-                                                 "..#"}), labels), 3);
+  EXPECT_EQ (labelConnectedComponents (picture ({"..#", "#..", "..#"}), labels), 3);
 }
 
 TEST (ConnectedComponents, OfNothingAndOfEverything)
@@ -241,9 +234,16 @@ TEST (Thinning, LeavesADiagonalBarsMiddleLine)
 
 TEST (Thinning, KeepsAtLeastOnePixelOfEveryThing)
 {
-  for (const auto& rows : std::vector<std::vector<std::string>>{
-         {"...", ".#.", "..."}, {"....", ".##.", ".##.", "...."}, {"###", "###", "###"}, {"##"}, {"#"}, {"#", "#"},
-         {"##", "##"}, {"##..", "##..", "..##", "..##"}, {".##.", "####", "####", ".##."}, {"#.#.#.#"}})
+  for (const auto& rows : std::vector<std::vector<std::string>>{{"...", ".#.", "..."},
+                                                                {"....", ".##.", ".##.", "...."},
+                                                                {"###", "###", "###"},
+                                                                {"##"},
+                                                                {"#"},
+                                                                {"#", "#"},
+                                                                {"##", "##"},
+                                                                {"##..", "##..", "..##", "..##"},
+                                                                {".##.", "####", "####", ".##."},
+                                                                {"#.#.#.#"}})
   {
     const Picture mask = picture (rows), skeleton = thin (mask);
     expectSkeleton (mask, skeleton);
@@ -339,16 +339,8 @@ TEST (Junctions, OfATAndAPlusLieWhereTheirBarsMeet)
 
 TEST (Junctions, OfThinLinesAreTheirVeryPixels)
 {
-  EXPECT_EQ (junctionsOf (picture ({"..#..",
-                                    "..#..",
-                                    "#####",
-                                    "..#..",
-                                    "..#.."})), (std::vector<Pixel>{{2, 2}}));
-  EXPECT_EQ (junctionsOf (picture ({"#...#",
-                                    ".#.#.",
-                                    "..#..",
-                                    "..#..",
-                                    "..#.."})), (std::vector<Pixel>{{2, 2}}));
+  EXPECT_EQ (junctionsOf (picture ({"..#..", "..#..", "#####", "..#..", "..#.."})), (std::vector<Pixel>{{2, 2}}));
+  EXPECT_EQ (junctionsOf (picture ({"#...#", ".#.#.", "..#..", "..#..", "..#.."})), (std::vector<Pixel>{{2, 2}}));
 }
 
 TEST (Junctions, AnLAndARingHaveNone)
@@ -357,27 +349,18 @@ TEST (Junctions, AnLAndARingHaveNone)
   const Picture skeleton = thin (l);
   expectSkeleton (l, skeleton);
   EXPECT_TRUE (junctionsOf (skeleton).empty ()) << pictures::draw (skeleton);
-  EXPECT_TRUE (junctionsOf (picture ({".###.",
-                                      "#...#",
-                                      "#...#",
-                                      ".###."})).empty ());
+  EXPECT_TRUE (junctionsOf (picture ({".###.", "#...#", "#...#", ".###."})).empty ());
 }
 
 TEST (Junctions, NearerThanTheMergeRadiusAreOne)
 {
   // Two stems 4 pixels apart.
-  const Picture image = picture ({"...#...#...",
-                                  "...#...#...",
-                                  "...#...#...",
-                                  "###########"});
+  const Picture image = picture ({"...#...#...", "...#...#...", "...#...#...", "###########"});
   EXPECT_EQ (junctionsOf (image, 3.0f), (std::vector<Pixel>{{3, 3}, {7, 3}}));
   EXPECT_EQ (junctionsOf (image, 4.0f).size (), 1u);
   EXPECT_EQ (junctionsOf (image, 0.0f).size (), 2u);
   // Of three in a row the middle one is nearest to their mean.
-  const Picture three = picture ({"..#..#..#..",
-                                  "..#..#..#..",
-                                  "..#..#..#..",
-                                  "###########"});
+  const Picture three = picture ({"..#..#..#..", "..#..#..#..", "..#..#..#..", "###########"});
   EXPECT_EQ (junctionsOf (three, 3.0f), (std::vector<Pixel>{{5, 3}}));
   EXPECT_EQ (junctionsOf (three, 2.9f).size (), 3u);
 }
@@ -390,29 +373,19 @@ TEST (Midpoint, OfLinesByHand)
   const Pixel of_two = middle (picture ({"##"}));
   EXPECT_EQ (of_two.row, 0);
   // Along the line, not in the middle of its box: 5 pixels down, 9 across.
-  EXPECT_EQ (middle (picture ({"#.........",
-                               "#.........",
-                               "#.........",
-                               "#.........",
-                               ".#########"})).row, 4);
+  EXPECT_EQ (middle (picture ({"#.........", "#.........", "#.........", "#.........", ".#########"})).row, 4);
   const Pixel of_l = middle (picture ({"#......", "#......", "#......", ".######"}));
   EXPECT_LE (distance (of_l, 2, 3), 1.0);
 }
 
 TEST (Midpoint, OfAClosedLineIsItsUppermostPixelThenTheLeftmost)
 {
-  const Picture ring = picture ({"......",
-                                 "..##..",
-                                 ".#..#.",
-                                 ".#..#.",
-                                 "..##.."});
+  const Picture ring = picture ({"......", "..##..", ".#..#.", ".#..#.", "..##.."});
   EXPECT_EQ (findMidpoint (ring, pixelsOf (ring)), (Pixel{2, 1}));
 }
 
 TEST (Midpoint, OfABranchedLineIsTheMiddleOfItsLongestPath)
 {
-  const Picture image = picture ({"...#.......",
-                                  "...#.......",
-                                  "###########"});
+  const Picture image = picture ({"...#.......", "...#.......", "###########"});
   EXPECT_EQ (findMidpoint (image, pixelsOf (image)), (Pixel{5, 2}));
 }

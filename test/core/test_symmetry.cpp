@@ -45,7 +45,7 @@ compare (const Frame& frame, const SaliencyParameters& parameters)
     comparison.positive += expected[index].value > 1e-3;
     comparison.largest_value = std::max (comparison.largest_value, expected[index].value);
     comparison.largest_difference =
-      std::max (comparison.largest_difference, std::abs (expected[index].value - map.symmetry[index]));
+        std::max (comparison.largest_difference, std::abs (expected[index].value - map.symmetry[index]));
   }
   ::testing::Test::RecordProperty ("largest_difference", std::to_string (comparison.largest_difference));
   std::printf ("             valid %d, compared %d, positive %d, largest value %.3f, largest difference %.2e\n",
@@ -143,7 +143,8 @@ TEST (Symmetry, EqualsTheEquationsAtTheImageBorder)
   for (int row = 0; row < 6; ++row)
     for (int column = 0; column < 7; ++column)
     {
-      const oracle::Symmetry expected = oracle::symmetryAt (frame.cloud, frame.normals, settings (8, false), column, row);
+      const oracle::Symmetry expected =
+          oracle::symmetryAt (frame.cloud, frame.normals, settings (8, false), column, row);
       if (!expected.isWellDefined ())
         continue;
       ++compared;
@@ -202,8 +203,8 @@ TEST (SymmetryOracle, HasTheValuesOfTheEquationsByHand)
   const double tilt = std::atan2 (0.002, 0.023), quarter = std::acos (-1.0) / 4.0;
   const double difference = std::cos (quarter + tilt) - std::cos (3 * quarter + tilt);
   EXPECT_NEAR (oracle::reflectiveSymmetry (out, left, plane, 1000.0), std::exp (-5.0) * difference * difference, 1e-12);
-  // A line along the edge is perpendicular to the plane of the normals: omega_1 is |+-y x x| = 1 still, and 0 for a line along
-  // their cross product.
+  // A line along the edge is perpendicular to the plane of the normals: omega_1 is |+-y x x| = 1 still, and 0 for a
+  // line along their cross product.
   oracle::Half above, below;
   above.add ({0, 0.01, 1}, {s, 0, -s});
   below.add ({0, -0.01, 1}, {-s, 0, -s});

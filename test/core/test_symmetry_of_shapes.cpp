@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the symmetry of known shapes must be, from geometry alone (paper III-A).
 #include "shapes.h"
-
 #include <pcl_attention/core/symmetry.h>
 
 #include <gtest/gtest.h>
@@ -142,7 +141,8 @@ TEST (SymmetryOfShapes, ACylinderHasItsMaximumOnItsAxis)
     const Frame frame = shapes::look (shapes::cylinder ({offset, 0, 0.85}, {0, 1, 0}, 0.05), camera);
     const Image<float> map = symmetryOf (frame);
     // The line of the surface nearest to the viewer: towards the eye from the axis.
-    const double x = offset - 0.05 * offset / std::hypot (offset, 0.85), z = 0.85 - 0.05 * 0.85 / std::hypot (offset, 0.85);
+    const double x = offset - 0.05 * offset / std::hypot (offset, 0.85),
+                 z = 0.85 - 0.05 * 0.85 / std::hypot (offset, 0.85);
     const double expected = 50.0 + 525.0 * x / z;
     for (int row = 5; row < 55; ++row)
     {
@@ -158,8 +158,8 @@ TEST (SymmetryOfShapes, ACylinderHasItsMaximumOnItsAxis)
 
 TEST (SymmetryOfShapes, ASphereHasTheSymmetryOfItsCurvatureAtItsNearestPoint)
 {
-  // There normals are offsets from the axis of view over the radius, and any axis across it may be the principal one: with the
-  // mean offset m of either half along the axis, omega_2 = (2 m / radius)^2, and all other factors are 1.
+  // There normals are offsets from the axis of view over the radius, and any axis across it may be the principal one:
+  // with the mean offset m of either half along the axis, omega_2 = (2 m / radius)^2, and all other factors are 1.
   const double radius = 0.035, pixel = 0.765 / 525.0;
   double low = 4.0, high = 0.0;
   for (int degree = 0; degree < 180; ++degree)
@@ -182,10 +182,11 @@ TEST (SymmetryOfShapes, ASphereHasTheSymmetryOfItsCurvatureAtItsNearestPoint)
   const Image<float> map = symmetryOf (shapes::look (shapes::sphere ({0, 0, 0.8}, radius), {81, 61}));
   EXPECT_GT (map (40, 30), 0.97 * low);
   EXPECT_LT (map (40, 30), 1.03 * high);
-  // Off that point the depths of the halves differ: along the ray through the middle, no other point of the row or column has
-  // more until the rim comes into the window.
+  // Off that point the depths of the halves differ: along the ray through the middle, no other point of the row or
+  // column has more until the rim comes into the window.
   for (int step = 1; step < 12; ++step)
-    for (const auto& [column, row] : std::vector<std::pair<int, int>>{{40 + step, 30}, {40 - step, 30}, {40, 30 + step}, {40, 30 - step}})
+    for (const auto& [column, row] :
+         std::vector<std::pair<int, int>>{{40 + step, 30}, {40 - step, 30}, {40, 30 + step}, {40, 30 - step}})
       EXPECT_LT (map (column, row), 1.05 * high);
 }
 

@@ -154,6 +154,26 @@ TEST (VisibleHull, OfACubeSeenFromTheFrontHasOneVisibleSide)
   EXPECT_NEAR (area (hull.hidden_faces), 0.2, 1e-6);
 }
 
+TEST (VisibleHull, SidesThatAreSeenEdgeOnAreNotVisible)
+{
+  // What is cut out along rays, as every patch at the image's border is, has sides through the viewpoint.
+  for (const float tilt : {0.0f, 0.1f, 0.3f})
+    for (const float distance : {1.0f, 0.7f, 0.55f})
+    {
+      SCOPED_TRACE (::testing::Message () << "tilt " << tilt << " distance " << distance);
+      std::vector<Vector3f> points;
+      for (const float z : {distance, 1.5f * distance})
+        for (const float x : {-0.1f, 0.13f})
+          for (const float y : {-0.07f, 0.11f})
+            points.push_back (z * Vector3f (x + tilt, y - tilt, 1.0f));
+      const VisibleHull hull = computeVisibleHull (points);
+      EXPECT_NEAR (area (hull.faces), 0.23 * 0.18 * distance * distance, 1e-5);
+      // The middle lies a quarter of the distance behind the near side.
+      const float middle = 1.25f * distance;
+      EXPECT_NEAR (compactness ({{tilt * middle, -tilt * middle, middle}}, hull), 0.25f * distance, 1e-4f);
+    }
+}
+
 TEST (VisibleHull, AroundTheViewerHasNoVisibleSide)
 {
   const VisibleHull hull = computeVisibleHull (cube ({0, 0, 0}, 2.0f));
@@ -168,8 +188,8 @@ TEST (VisibleHull, OfATetrahedron)
   expectFaces (hull, points);
   EXPECT_EQ (hull.vertices.size (), 4u);
   EXPECT_EQ (hull.faces.size () + hull.hidden_faces.size (), 4u);
-  // Two faces are edge-on; the slanted one has its normal along (1, 1, -1), away from the line of sight only by being below it:
-  // its plane x + y - z = -0.9 has the origin beyond it.
+  // Two faces are edge-on; the slanted one has its normal along (1, 1, -1), away from the line of sight only by being
+  // below it: its plane x + y - z = -0.9 has the origin beyond it.
   ASSERT_EQ (hull.faces.size (), 1u);
   EXPECT_LT ((hull.faces[0].normal - Vector3f (1, 1, -1).normalized ()).norm (), 1e-5f);
   EXPECT_NEAR (hull.faces[0].offset, 0.9 / std::sqrt (3.0), 1e-5);
@@ -222,7 +242,8 @@ TEST (VisibleHull, OfPointsOnAPlaneIsFlat)
 {
   std::mt19937 random (3);
   std::uniform_real_distribution<float> uniform (-0.1f, 0.1f);
-  for (const Vector3f& normal : {Vector3f (0, 0, 1), Vector3f (1, 0, 0), Vector3f (0.3f, -0.5f, 0.8f), Vector3f (1, 1, 1)})
+  for (const Vector3f& normal :
+       {Vector3f (0, 0, 1), Vector3f (1, 0, 0), Vector3f (0.3f, -0.5f, 0.8f), Vector3f (1, 1, 1)})
   {
     SCOPED_TRACE (normal.transpose ());
     const Vector3f u = normal.unitOrthogonal (), v = normal.normalized ().cross (u);
@@ -281,7 +302,8 @@ TEST (VisibleHull, IgnoresDuplicates)
 
 TEST (VisibleHull, WorksForSmallLargeAndDistantThings)
 {
-  for (const auto& [side, distance] : std::vector<std::pair<float, float>>{{0.002f, 0.5f}, {0.01f, 5.0f}, {0.5f, 100.0f}, {20.0f, 30.0f}, {0.1f, 0.2f}})
+  for (const auto& [side, distance] : std::vector<std::pair<float, float>>{
+           {0.002f, 0.5f}, {0.01f, 5.0f}, {0.5f, 100.0f}, {20.0f, 30.0f}, {0.1f, 0.2f}})
   {
     SCOPED_TRACE (::testing::Message () << side << " at " << distance);
     const Vector3f center (0.5f * distance, 0.4f * distance, distance);
@@ -324,7 +346,7 @@ TEST (DistanceToTriangle, EqualsTheNearestOfItsSampledPoints)
     {
       const Vector3f p = 1.5f * vector ();
       const double expected =
-        sampledDistance (p.cast<double> (), a.cast<double> (), b.cast<double> (), c.cast<double> ());
+          sampledDistance (p.cast<double> (), a.cast<double> (), b.cast<double> (), c.cast<double> ());
       largest = std::max (largest, std::abs (distanceToTriangle (p, face) - expected));
     }
   }
@@ -336,10 +358,10 @@ TEST (DistanceToTriangle, ByHandInEveryRegion)
   const VisibleHull::Face face = triangle ({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   EXPECT_FLOAT_EQ (distanceToTriangle ({0.2f, 0.2f, 0.5f}, face), 0.5f);
   EXPECT_FLOAT_EQ (distanceToTriangle ({0.2f, 0.2f, -0.5f}, face), 0.5f);
-  EXPECT_FLOAT_EQ (distanceToTriangle ({0.5f, -2.0f, 0.0f}, face), 2.0f);                   // an edge
-  EXPECT_FLOAT_EQ (distanceToTriangle ({-3.0f, -4.0f, 0.0f}, face), 5.0f);                  // a corner
-  EXPECT_FLOAT_EQ (distanceToTriangle ({1.0f, 1.0f, 0.0f}, face), std::sqrt (0.5f));        // the slanted edge
-  EXPECT_FLOAT_EQ (distanceToTriangle ({3.0f, 0.0f, 0.0f}, face), 2.0f);                    // another corner
+  EXPECT_FLOAT_EQ (distanceToTriangle ({0.5f, -2.0f, 0.0f}, face), 2.0f);            // an edge
+  EXPECT_FLOAT_EQ (distanceToTriangle ({-3.0f, -4.0f, 0.0f}, face), 5.0f);           // a corner
+  EXPECT_FLOAT_EQ (distanceToTriangle ({1.0f, 1.0f, 0.0f}, face), std::sqrt (0.5f)); // the slanted edge
+  EXPECT_FLOAT_EQ (distanceToTriangle ({3.0f, 0.0f, 0.0f}, face), 2.0f);             // another corner
   EXPECT_NEAR (distanceToTriangle ({0.25f, 0.25f, 0.0f}, face), 0.0f, 1e-7f);
   // Whatever the winding.
   const VisibleHull::Face reversed = triangle ({0, 0, 0}, {0, 1, 0}, {1, 0, 0});
@@ -381,10 +403,11 @@ TEST (Compactness, OfPointsOnTheVisibleFacesIsZero)
 TEST (Compactness, IsTheMeanDistanceByHand)
 {
   const VisibleHull hull = computeVisibleHull (cube ({0.5f, 0.4f, 1.0f}, 0.2f));
-  // The centre is 10 cm from each of the visible sides, the second point 5 cm from the left one, the third 2 cm from the near one.
+  // The centre is 10 cm from each of the visible sides, the second point 5 cm from the left one, the third 2 cm from
+  // the near one.
   EXPECT_NEAR (compactness ({{0.5f, 0.4f, 1.0f}}, hull), 0.1f, 1e-6f);
-  EXPECT_NEAR (compactness ({{0.5f, 0.4f, 1.0f}, {0.45f, 0.4f, 1.0f}, {0.5f, 0.4f, 0.92f}}, hull), (0.1f + 0.05f + 0.02f) / 3.0f,
-               1e-6f);
+  EXPECT_NEAR (compactness ({{0.5f, 0.4f, 1.0f}, {0.45f, 0.4f, 1.0f}, {0.5f, 0.4f, 0.92f}}, hull),
+               (0.1f + 0.05f + 0.02f) / 3.0f, 1e-6f);
   EXPECT_NEAR (hollowCompactness ({{0.5f, 0.4f, 1.0f}, {0.57f, 0.4f, 1.0f}}, hull), 0.5f * (0.1f + 0.03f), 1e-6f);
   EXPECT_EQ (compactness ({}, hull), 0.0f);
 }
