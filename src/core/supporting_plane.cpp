@@ -362,7 +362,8 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
     {
       const BentPlane surface (cloud, plane.indices);
       normal = surface.plane.normal;
-      plane.coefficients << normal, surface.plane.offset;
+      plane.coefficients.head<3> () = normal;
+      plane.coefficients[3] = surface.plane.offset;
       plane.indices = pointsOf (cloud, normals, noise, parameters, surface);
     }
     dropIslands (cloud, plane.indices);

@@ -62,7 +62,10 @@ frames ()
 
 TEST (Saliency, IsTheAcrossScaleSumOfItsLevels)
 {
-  std::vector<SaliencyParameters> settings (7);
+  // Above the floor nothing is mere rounding, which would be divided by its own maximum.
+  SaliencyParameters base;
+  base.saliency_floor = 1e-6f;
+  std::vector<SaliencyParameters> settings (7, base);
   settings[1].levels = 1;
   settings[2].levels = 6;
   settings[3].blur_radius = 0;
