@@ -3,6 +3,7 @@
 #include "command_line.h"
 #include "evaluation/labelled_scene.h"
 #include "evaluation/metrics.h"
+#include "evaluation/prediction_of_segments.h"
 #include "evaluation/report.h"
 #include "evaluation/results.h"
 #include "parameter_flags.h"
@@ -46,21 +47,7 @@ ownSegments (const AttentionParameters& parameters, unsigned int threads)
     std::vector<pcl::AttentionSegment> segments;
     if (!segmentation->segment (segments))
       throw std::runtime_error (scene.name + ": could not be segmented, see above");
-    ScenePrediction prediction;
-    prediction.width = static_cast<int> (scene.cloud->width);
-    prediction.height = static_cast<int> (scene.cloud->height);
-    for (const pcl::AttentionSegment& segment : segments)
-    {
-      PredictedSegment predicted;
-      predicted.column = segment.attention_point.column;
-      predicted.row = segment.attention_point.row;
-      predicted.kind = toString (segment.attention_point.kind);
-      predicted.confidence = segment.confidence;
-      predicted.mask = segment.indices;
-      prediction.segments.push_back (std::move (predicted));
-    }
-    prediction.labels = labelsOfMasks (prediction.width, prediction.height, prediction.segments);
-    return (prediction);
+    return (predictionOfSegments (static_cast<int> (scene.cloud->width), static_cast<int> (scene.cloud->height), segments));
   });
 }
 

@@ -84,6 +84,20 @@ private:
     return (row * labels_.width + column);
   }
 
+  /** \brief Whether a surface seen at a grazing angle, whose neighbouring pixels lie far apart, leads on to the other point. */
+  bool
+  continuesGrazing (int from, int to) const
+  {
+    constexpr float grazing_cosine = 0.2f, farthest = 4.0f, offset = 0.5f;
+    if (!normals_.valid[from])
+      return (false);
+    const Eigen::Vector3f position = point (from), difference = point (to) - position;
+    const Eigen::Vector3f normal (normals_.x[from], normals_.y[from], normals_.z[from]);
+    return (std::abs (normal.dot (position)) < grazing_cosine * position.norm () &&
+            difference.norm () < farthest * parameters_.connection_distance &&
+            std::abs (normal.dot (difference)) < offset * parameters_.connection_distance);
+  }
+
   void
   addPair (int first, int second, int step, int distance_in_pixels)
   {
@@ -98,7 +112,8 @@ private:
     const float depth = std::max (a.z (), b.z ());
     const float slack = focal_length_ > 0.0f
                           ? parameters_.gap_slack * static_cast<float> (distance_in_pixels - 1) * depth / focal_length_ : 0.0f;
-    if ((b - a).norm () >= parameters_.connection_distance + slack)
+    if ((b - a).norm () >= parameters_.connection_distance + slack && !continuesGrazing (first, second) &&
+        !continuesGrazing (second, first))
     {
       ++(a.norm () < b.norm () ? border.first_in_front : border.second_in_front);
       return;

@@ -20,7 +20,7 @@ struct Color
   std::uint8_t red, green, blue;
 };
 
-constexpr Color red{200, 20, 20}, blue{20, 20, 200}, grey{120, 120, 120};
+constexpr Color red{200, 20, 20}, green{20, 200, 20}, blue{20, 20, 200}, grey{120, 120, 120};
 
 /** \brief A frame with patches given by hand. */
 struct Case
@@ -185,6 +185,39 @@ TEST (CompactClustering, AsPrintedTakesTheBackgroundsColours)
   ASSERT_NE (stepOf (alone, 2), nullptr);
   EXPECT_EQ (stepOf (alone, 2)->value, 0.0f);
   EXPECT_GT (stepOf (alone, 2)->limit, 0.5f);
+}
+
+TEST (CompactClustering, NotObjectLiesOutsideTwiceTheObjectsArea)
+{
+  // Around 12x12 red pixels, two green rings make 16x16 = 256; the next ring of 68 blue pixels loses the 32 that are
+  // missing to twice 144. What is left are 36 blue and 64 * 48 - 18 * 18 grey pixels, which are patch 2.
+  Image<int> labels (64, 48, 2);
+  std::vector<Color> colors (labels.size (), grey);
+  for (int row = 0; row < 48; ++row)
+    for (int column = 0; column < 64; ++column)
+    {
+      const int ring = std::max ({20 - column, column - 31, 18 - row, row - 29});
+      if (ring > 3)
+        continue;
+      labels (column, row) = ring <= 0 ? 1 : 0;
+      colors[static_cast<std::size_t> (row) * 64 + column] = ring <= 0 ? red : (ring <= 2 ? green : blue);
+    }
+  Case scene (shapes::look (shapes::plane ({0, 0, 0.8}, {0, 0, -1})), labels);
+  for (const Color& color : colors)
+  {
+    scene.frame.cloud.red.push_back (color.red);
+    scene.frame.cloud.green.push_back (color.green);
+    scene.frame.cloud.blue.push_back (color.blue);
+  }
+  ClusteringParameters parameters = plain ();
+  parameters.color_constraint = ColorConstraint::nearer_object;
+  const AttentionSegment segment = scene.grow (25, 24, parameters);
+  ASSERT_EQ (segment.steps.size (), 1u);
+  EXPECT_EQ (segment.steps[0].refused_by, GrowthConstraint::color);
+  EXPECT_NEAR (segment.steps[0].value, 1.0f, 1e-6f);
+  // Chi-square of the shares (b, 1 - b) and (0, 1) is b / (2 - b).
+  const double share = 36.0 / (36.0 + 64.0 * 48.0 - 18.0 * 18.0);
+  EXPECT_NEAR (segment.steps[0].limit, share / (2.0 - share), 1e-5);
 }
 
 TEST (CompactClustering, WithoutColourTheConstraintHolds)

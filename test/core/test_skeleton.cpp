@@ -127,6 +127,37 @@ randomBlobs (unsigned seed, int width, int height)
   return (image);
 }
 
+/** \brief The algorithm as Zhang and Suen printed it, all pixels of the image in every half-iteration. */
+Picture
+zhangSuen (Picture image)
+{
+  const auto at = [&] (int column, int row) { return (image.contains (column, row) && image (column, row) ? 1 : 0); };
+  bool changed = true;
+  while (changed)
+  {
+    changed = false;
+    for (const bool first : {true, false})
+    {
+      std::vector<Pixel> removed;
+      for (const Pixel& pixel : pixelsOf (image))
+      {
+        const int c = pixel.column, r = pixel.row;
+        const int p2 = at (c, r - 1), p3 = at (c + 1, r - 1), p4 = at (c + 1, r), p5 = at (c + 1, r + 1),
+                  p6 = at (c, r + 1), p7 = at (c - 1, r + 1), p8 = at (c - 1, r), p9 = at (c - 1, r - 1);
+        const int b = p2 + p3 + p4 + p5 + p6 + p7 + p8 + p9;
+        const int a = (p2 < p3) + (p3 < p4) + (p4 < p5) + (p5 < p6) + (p6 < p7) + (p7 < p8) + (p8 < p9) + (p9 < p2);
+        if (b >= 2 && b <= 6 && a == 1 && (first ? p2 * p4 * p6 : p2 * p4 * p8) == 0 &&
+            (first ? p4 * p6 * p8 : p2 * p6 * p8) == 0)
+          removed.push_back (pixel);
+      }
+      for (const Pixel& pixel : removed)
+        image (pixel.column, pixel.row) = 0;
+      changed = changed || !removed.empty ();
+    }
+  }
+  return (image);
+}
+
 Picture
 bar (int width, int height, int left, int top, int right, int bottom)
 {
@@ -271,6 +302,36 @@ TEST (Thinning, KeepsTheNumberOfRegionsOfRandomBlobs)
     if (HasFailure ())
       return;
   }
+}
+
+TEST (Thinning, IsThatOfZhangAndSuenWithoutItsCorners)
+{
+  int compared = 0;
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    SCOPED_TRACE (seed);
+    const Picture mask = randomBlobs (seed, 80, 60), printed = zhangSuen (mask), skeleton = thin (mask);
+    // Where the printed algorithm loses a region, the two have to differ.
+    if (pictures::floodFill (mask, 8) != pictures::floodFill (printed, 8))
+      continue;
+    ++compared;
+    for (int row = 0; row < 60; ++row)
+      for (int column = 0; column < 80; ++column)
+      {
+        if (skeleton (column, row))
+        {
+          ASSERT_TRUE (printed (column, row));
+        }
+        else if (printed (column, row))
+        {
+          // A corner has neighbours above or below it, and beside it.
+          const bool vertical = (row > 0 && printed (column, row - 1)) || (row < 59 && printed (column, row + 1));
+          const bool beside = (column > 0 && printed (column - 1, row)) || (column < 79 && printed (column + 1, row));
+          ASSERT_TRUE (vertical && beside) << column << " " << row;
+        }
+      }
+  }
+  EXPECT_GT (compared, 40);
 }
 
 TEST (Thinning, KeepsTheNumberOfRegionsOfRandomPixels)

@@ -412,6 +412,17 @@ TEST (Compactness, IsTheMeanDistanceByHand)
   EXPECT_EQ (compactness ({}, hull), 0.0f);
 }
 
+TEST (Compactness, CountsAPointAsOftenAsItsWeight)
+{
+  const VisibleHull hull = computeVisibleHull (cube ({0.5f, 0.4f, 1.0f}, 0.2f));
+  // Depths of 10, 5 and 2 cm, standing for 1, 2 and 7 points.
+  const std::vector<Vector3f> points{{0.5f, 0.4f, 1.0f}, {0.45f, 0.4f, 1.0f}, {0.5f, 0.4f, 0.92f}};
+  EXPECT_NEAR (compactness (points, hull, {1.0f, 2.0f, 7.0f}), (0.1f + 2.0f * 0.05f + 7.0f * 0.02f) / 10.0f, 1e-6f);
+  EXPECT_NEAR (compactness (points, hull, {3.0f, 3.0f, 3.0f}), compactness (points, hull), 1e-7f);
+  EXPECT_NEAR (hollowCompactness ({{0.5f, 0.4f, 1.0f}, {0.57f, 0.4f, 1.0f}}, hull, {3.0f, 1.0f}),
+               (3.0f * 0.1f + 0.03f) / 4.0f, 1e-6f);
+}
+
 TEST (Compactness, OfACylindersFrontIsTheHeightOfItsFacets)
 {
   // 15 degrees a facet: the hull is the cylinder but for its facets' sagitta of at most r (1 - cos 7.5 degrees).

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the default preset makes of rendered scenes, whose labels are exact.
+#include "scene_renderer.h"
+#include "score.h"
+
+#include <gtest/gtest.h>
+
+using namespace pcl_attention;
+
+namespace
+{
+
+bool
+isHollow (const SceneObject& object)
+{
+  return (object.shape == SceneShape::bowl || object.shape == SceneShape::mug);
+}
+
+/** \brief F of the first segment of every object of a scene without noise. */
+void
+expectObjects (SceneKind kind, std::uint64_t seed)
+{
+  SCOPED_TRACE (sceneKindName (kind) + " " + std::to_string (seed));
+  SceneDescription scene = makeScene (kind, seed);
+  scene.noise.level = 0.0;
+  const auto score = test::score (renderScene (scene, seed), AttentionParameters (), GroundTruthKind::objects);
+  ASSERT_EQ (score.regions.size (), scene.objects.size ());
+  for (const RegionScore& region : score.regions)
+  {
+    const SceneObject& object = scene.objects[region.region.label - 2];
+    EXPECT_GE (region.first.f, isHollow (object) ? 0.95 : 0.97)
+      << "object " << region.region.label << " of " << region.region.pixels << " pixels, precision "
+      << region.first.precision << ", recall " << region.first.recall;
+  }
+}
+
+std::size_t
+countSegments (SceneKind kind, std::uint64_t seed, double noise)
+{
+  SceneDescription scene = makeScene (kind, seed);
+  scene.noise.level = noise;
+  pcl::AttentionSegmentation<pcl::PointXYZRGBL> segmentation;
+  segmentation.setInputCloud (renderScene (scene, seed));
+  std::vector<pcl::AttentionSegment> segments;
+  EXPECT_TRUE (segmentation.segment (segments));
+  return (segments.size ());
+}
+
+TEST (RenderedScenes, singleObjectsAreFoundWhole)
+{
+  for (const SceneKind kind : {SceneKind::single_box, SceneKind::single_cylinder, SceneKind::single_sphere,
+                               SceneKind::single_bowl, SceneKind::single_mug})
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+      expectObjects (kind, seed);
+}
+
+TEST (RenderedScenes, objectsThatStandAloneAreFoundWhole)
+{
+  for (std::uint64_t seed = 1; seed <= 8; ++seed)
+    expectObjects (SceneKind::separate, seed);
+}
+
+TEST (RenderedScenes, emptyScenesHaveNoSegmentAtAnyNoise)
+{
+  for (const SceneKind kind : {SceneKind::empty_table, SceneKind::wall, SceneKind::corner})
+    for (const double noise : {0.0, 0.5, 1.0, 2.0, 3.0})
+      for (std::uint64_t seed = 1; seed <= 2; ++seed)
+        EXPECT_EQ (countSegments (kind, seed, noise), 0u) << sceneKindName (kind) << ", noise " << noise << ", seed " << seed;
+}
+
+} // namespace
