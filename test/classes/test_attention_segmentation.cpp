@@ -271,24 +271,23 @@ TEST_F (Segmentation, UsesThePointsItIsGiven)
 
 TEST_F (Segmentation, KeepsTheOrderOfThePointsItIsGiven)
 {
-  // Also with the default settings, which would see to what stands on the table first.
+  // Also with prefer_supported, which would look at what stands on the table before the table itself.
   const std::vector<pcl::AttentionSegment> own = segment ();
-  std::vector<pcl::AttentionPoint> points;
-  for (auto segment = own.rbegin (); segment != own.rend (); ++segment)
-    points.push_back (segment->attention_point);
-  pcl_attention::AttentionParameters parameters;
-  parameters.segmentation.fixation_margin = 0;
-  parameters.segmentation.coverage = false;
+  const std::vector<pcl::SupportingPlane> planes = segmentation.getSupportingPlanes ();
+  ASSERT_FALSE (own.empty ());
+  ASSERT_FALSE (planes.empty ());
+  ASSERT_TRUE (planes.front ().supports_objects);
+  const pcl::index_t on_table = planes.front ().indices[planes.front ().indices.size () / 2];
+  const std::vector<pcl::AttentionPoint> points{pointAt (on_table % 320, on_table / 320), own[0].attention_point};
+  pcl_attention::AttentionParameters parameters = pointByPoint ();
+  parameters.segmentation.prefer_supported = true;
+  parameters.clustering.stay_off_support = false;
   segmentation.setParameters (parameters);
   segmentation.setAttentionPoints (points);
-  std::size_t next = 0;
-  for (const pcl::AttentionSegment& segment : segment ())
-  {
-    while (next < points.size () &&
-           (points[next].column != segment.attention_point.column || points[next].row != segment.attention_point.row))
-      ++next;
-    EXPECT_LT (next, points.size ());
-  }
+  const std::vector<pcl::AttentionSegment> segments = segment ();
+  ASSERT_EQ (segments.size (), 2u);
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_EQ (indexOf (segments[k].attention_point, *sceneCloud ()), indexOf (points[k], *sceneCloud ()));
 }
 
 TEST_F (Segmentation, UsesThePatchesItIsGiven)
