@@ -205,7 +205,8 @@ eigenDecomposition (const LaneSymmetricMatrix& matrix, LaneVector (&vectors)[3],
   const Lanes radius = squareRoot (half_difference * half_difference + uv * uv);
   const LaneMask round = radius <= 1e-18f;
   const Lanes inverse_radius = keep (~round, 1.0f / select (round, broadcast (1.0f), radius));
-  const Lanes cosine = squareRoot (0.5f + 0.5f * absolute (half_difference) * inverse_radius);
+  const Lanes cosine =
+    select (round, broadcast (1.0f), squareRoot (0.5f + 0.5f * absolute (half_difference) * inverse_radius));
   const LaneMask negative = half_difference < 0.0f;
   const Lanes magnitude = 0.5f * uv * inverse_radius / cosine;
   const Lanes sine = select (negative, -magnitude, magnitude);

@@ -38,6 +38,18 @@ enlarge (Image<float> map, std::size_t level, const std::vector<std::pair<int, i
   return (map);
 }
 
+/** \brief The axis that won at a pixel, or nearest to it where the symmetry was spread there by the blur or the up-sampling. */
+std::uint8_t
+winningAxis (const SymmetryMap& map, int column, int row, int reach)
+{
+  for (int ring = 0; ring <= reach; ++ring)
+    for (int r = row - ring; r <= row + ring; ++r)
+      for (int c = column - ring; c <= column + ring; ++c)
+        if (map.winning_axis.contains (c, r) && map.winning_axis (c, r) != 0)
+          return (map.winning_axis (c, r));
+  return (0);
+}
+
 /** \brief Paper eq. 9: the sum of all levels at the finest size; also which level gives most of it. */
 void
 acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& cloud, SaliencyMaps& maps)
@@ -69,7 +81,8 @@ acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& clou
         {
           best[index] = value;
           maps.winning_level[index] = static_cast<std::uint8_t> (level + 1);
-          maps.winning_plane[index] = symmetry.winning_axis (column >> level, row >> level);
+          maps.winning_plane[index] = winningAxis (
+            symmetry, column >> level, row >> level, parameters.blur_radius + 1);
         }
       }
   }

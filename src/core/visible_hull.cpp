@@ -74,7 +74,9 @@ computeVisibleHull (const std::vector<Eigen::Vector3f>& points)
       face.normal = -face.normal;
       face.offset = -face.offset;
     }
-    (face.offset > 0.0f ? hull.faces : hull.hidden_faces).push_back (face);
+    // Seen edge-on, as the sides of what is cut out along rays are, a face shows nothing.
+    constexpr float edge_on = 1e-4f;
+    (face.offset > edge_on * face.corners[0].norm () ? hull.faces : hull.hidden_faces).push_back (face);
   }
   return (hull);
 }

@@ -346,6 +346,12 @@ TEST (CompactClustering, FindsNothingWhereThereIsNoPatch)
   EXPECT_TRUE (clustering.grow (point, segment));
   EXPECT_EQ (segment.indices.size (), 100u);
   EXPECT_TRUE (std::is_sorted (segment.indices.begin (), segment.indices.end ()));
+  // A radius, not a square: 4 pixels left of its corner and 4 above are too far, 3 and 4 are not.
+  point.column = 26;
+  point.row = 16;
+  EXPECT_FALSE (clustering.grow (point, segment));
+  point.column = 27;
+  EXPECT_TRUE (clustering.grow (point, segment));
 }
 
 TEST (CompactClustering, GivesTheSameFromTheSamePointAgain)

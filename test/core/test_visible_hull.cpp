@@ -238,16 +238,19 @@ TEST (VisibleHull, OfAUnionIsThatOfTheHullsVertices)
   }
 }
 
-TEST (VisibleHull, OfPointsOnAPlaneIsFlat)
+TEST (VisibleHull, OfPointsOnAPlaneIsFlatAndFacesTheViewer)
 {
   std::mt19937 random (3);
   std::uniform_real_distribution<float> uniform (-0.1f, 0.1f);
-  for (const Vector3f& normal :
-       {Vector3f (0, 0, 1), Vector3f (1, 0, 0), Vector3f (0.3f, -0.5f, 0.8f), Vector3f (1, 1, 1)})
+  for (int round = 0; round < 60; ++round)
   {
-    SCOPED_TRACE (normal.transpose ());
-    const Vector3f u = normal.unitOrthogonal (), v = normal.normalized ().cross (u);
-    const Vector3f center (0.2f, 0.1f, 1.0f);
+    SCOPED_TRACE (round);
+    const Vector3f normal =
+        round == 0 ? Vector3f (0, 0, 1) : Vector3f (uniform (random), uniform (random), uniform (random)).normalized ();
+    const Vector3f u = normal.unitOrthogonal (), v = normal.cross (u);
+    const Vector3f center (10.0f * uniform (random), 10.0f * uniform (random), 2.0f + 10.0f * uniform (random));
+    if (std::abs (normal.dot (center)) < 0.1f)
+      continue; // nearly edge-on
     std::vector<Vector3f> points;
     for (const float a : {-0.1f, 0.1f})
       for (const float b : {-0.1f, 0.1f})
@@ -258,6 +261,7 @@ TEST (VisibleHull, OfPointsOnAPlaneIsFlat)
     EXPECT_EQ (hull.dimension, 2);
     EXPECT_EQ (hull.vertices.size (), 4u);
     EXPECT_NEAR (area (hull.faces), 0.04, 1e-5);
+    EXPECT_TRUE (hull.hidden_faces.empty ());
     for (const VisibleHull::Face& face : hull.faces)
       EXPECT_LT (face.normal.dot (center), 0.0f);
     EXPECT_EQ (compactness (points, hull), 0.0f);

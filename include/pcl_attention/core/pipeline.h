@@ -55,6 +55,12 @@ struct StageTimes
 class PCL_ATTENTION_EXPORTS AttentionPipeline
 {
 public:
+  AttentionPipeline () = default;
+  // The clustering refers to the pipeline's own patches.
+  AttentionPipeline (const AttentionPipeline&) = delete;
+  AttentionPipeline&
+  operator= (const AttentionPipeline&) = delete;
+
   /** \brief Forget all results and start with a new frame.
     * \param[in] cloud in the sensor frame
     * \param[in] sensor_pose from the sensor frame to the frame of the user's cloud, in which planes and boxes are given */

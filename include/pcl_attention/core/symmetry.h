@@ -17,7 +17,7 @@ struct SaliencyParameters
   int blur_radius{2};              /**< box blur of every level map, pixels; 0 is off */
   float level_threshold{0.0f};     /**< share of a level's maximum under which its values become 0 (repair A), 0..1 */
   bool normalize_levels{true};     /**< divide every level map by its maximum before the sum */
-  float saliency_floor{0.0f};      /**< absolute symmetry (0..4) under which a value is noise, whatever the maximum */
+  float saliency_floor{1e-6f};     /**< absolute symmetry (0..4) under which a value is rounding, whatever the maximum */
 };
 
 /** \brief Symmetry of one pyramid level. */
