@@ -58,7 +58,6 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
                                       const PatchGraph& graph, const std::vector<std::uint8_t>& support_patches,
                                       const ClusteringParameters& parameters)
 : cloud_ (cloud),
-  normals_ (normals),
   patches_ (patches),
   graph_ (graph),
   support_patches_ (support_patches),

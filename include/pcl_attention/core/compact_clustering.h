@@ -229,7 +229,6 @@ private:
   hullVertices (int label);
 
   const OrganizedCloud& cloud_;
-  const NormalImage& normals_;
   const PlanarPatches& patches_;
   const PatchGraph& graph_;
   const std::vector<std::uint8_t> support_patches_;
