@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "object_hull.h"
+
 #include <pcl_attention/core/compact_clustering.h>
 
 #include <algorithm>
@@ -44,7 +46,7 @@ struct CompactClustering::Piece
   std::vector<int> patches;
   std::vector<std::uint8_t> member;   /**< at [label] */
   std::map<int, PatchBorder> borders; /**< to every neighbour that is no member, seen from the piece */
-  std::vector<Eigen::Vector3f> hull_vertices;
+  ObjectHull hull;
   ColorHistogram histogram;
   int pixels{0};
   int perimeter{0};            /**< contour pairs */
@@ -62,11 +64,12 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   graph_ (graph),
   support_patches_ (support_patches),
   parameters_ (parameters),
-  focal_length_ (estimateFocalLength (cloud))
+  focal_length_ (estimateFocalLength (cloud)),
+  hull_grid_ (std::make_unique<HullGrid> (cloud))
 {
   const std::size_t count = patches.patches.size () + 1;
   samples_.resize (count);
-  hull_vertices_.resize (count);
+  hulls_.resize (count);
   pieces_.resize (count);
   histograms_.resize (count);
   color_bins_ = colorBins (cloud);
@@ -89,24 +92,25 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
 
 CompactClustering::~CompactClustering () = default;
 
-const std::vector<Eigen::Vector3f>&
-CompactClustering::hullVertices (int label)
+const ObjectHull&
+CompactClustering::patchHull (int label)
 {
   constexpr std::size_t most_points = 1000;
-  std::vector<Eigen::Vector3f>& vertices = hull_vertices_[label];
-  if (vertices.empty ())
+  if (!hulls_[label])
   {
     const pcl::Indices& pixels = patches_.patches[label - 1].pixels;
     const std::size_t count = std::min (pixels.size (), most_points);
+    std::vector<Eigen::Vector3f> points;
+    points.reserve (count);
     for (std::size_t i = 0; i < count; ++i)
     {
       const pcl::index_t index = pixels[i * pixels.size () / count];
-      vertices.emplace_back (cloud_.x[index], cloud_.y[index], cloud_.z[index]);
+      points.emplace_back (cloud_.x[index], cloud_.y[index], cloud_.z[index]);
     }
-    // The hull of a union is the hull of the hulls' vertices.
-    vertices = computeVisibleHull (vertices).vertices;
+    hulls_[label] = std::make_unique<ObjectHull> (parameters_.hull_method, *hull_grid_);
+    hulls_[label]->add (points);
   }
-  return (vertices);
+  return (*hulls_[label]);
 }
 
 std::vector<int>
@@ -145,7 +149,15 @@ CompactClustering::initialPatches (const AttentionPoint& point) const
 }
 
 void
-CompactClustering::addPatch (int label, Piece& piece, std::vector<Eigen::Vector3f>&& hull_vertices)
+CompactClustering::addPatch (int label, Piece& piece)
+{
+  ObjectHull united = piece.patches.empty () ? ObjectHull (parameters_.hull_method, *hull_grid_) : piece.hull;
+  united.add (patchHull (label));
+  addPatch (label, piece, std::move (united));
+}
+
+void
+CompactClustering::addPatch (int label, Piece& piece, ObjectHull&& united)
 {
   if (piece.member.empty ())
     piece.member.assign (patches_.patches.size () + 1, 0);
@@ -161,7 +173,7 @@ CompactClustering::addPatch (int label, Piece& piece, std::vector<Eigen::Vector3
   for (const int neighbor : graph_.neighbors[label])
     if (!piece.member[neighbor])
       piece.borders[neighbor] += graph_.border (label, neighbor);
-  piece.hull_vertices = hull_vertices.empty () ? unitedHull (label, piece).vertices : std::move (hull_vertices);
+  piece.hull = std::move (united);
   piece.histogram += histograms_[label];
   piece.pixels += static_cast<int> (patches_.patches[label - 1].pixels.size ());
   piece.surroundings_known = false;
@@ -190,15 +202,6 @@ CompactClustering::hollowness (const Piece& piece) const
   return (weights > 0.0f ? sum / weights : 0.0f);
 }
 
-VisibleHull
-CompactClustering::unitedHull (int label, const Piece& piece)
-{
-  std::vector<Eigen::Vector3f> vertices = piece.hull_vertices;
-  const std::vector<Eigen::Vector3f>& added = hullVertices (label);
-  vertices.insert (vertices.end (), added.begin (), added.end ());
-  return (computeVisibleHull (vertices));
-}
-
 float
 CompactClustering::compactnessOf (const std::vector<int>& labels, const VisibleHull& hull, bool hollow) const
 {
@@ -210,7 +213,8 @@ CompactClustering::compactnessOf (const std::vector<int>& labels, const VisibleH
       points.push_back (sample.point);
       weights.push_back (sample.weight);
     }
-  return (hollow ? hollowCompactness (points, hull, weights) : compactness (points, hull, weights));
+  return (hollow ? hollowCompactness (points, hull, weights, parameters_.face_distance)
+                 : compactness (points, hull, weights, parameters_.face_distance));
 }
 
 ColorHistogram
@@ -277,7 +281,7 @@ CompactClustering::borderConvexity (int label, const PatchBorder& border, const 
 
 GrowthStep
 CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
-                             std::vector<Eigen::Vector3f>& hull_vertices)
+                             ObjectHull& united)
 {
   GrowthStep step;
   step.patch = label;
@@ -331,15 +335,15 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
     if (!fulfilled)
       return (refuse (GrowthConstraint::color, inside, outside));
   }
-  VisibleHull hull = unitedHull (label, piece);
+  united = piece.hull;
+  united.add (patchHull (label));
   std::vector<int> together = piece.patches;
   together.push_back (label);
-  const float kappa = compactnessOf (together, hull, hollow);
+  const float kappa = compactnessOf (together, united.visible (), hollow);
   if (kappa >= parameters_.compactness_threshold)
     return (refuse (GrowthConstraint::compactness, kappa, parameters_.compactness_threshold));
   step.value = kappa;
   step.limit = parameters_.compactness_threshold;
-  hull_vertices = std::move (hull.vertices);
   return (step);
 }
 
@@ -375,13 +379,13 @@ CompactClustering::growOverBorders (Piece& piece, std::vector<GrowthStep>* steps
         break;
       const PatchBorder border = piece.borders[best];
       tried[best] = border.pairs;
-      std::vector<Eigen::Vector3f> hull_vertices;
-      const GrowthStep step = tryPatch (best, border, piece, hull_vertices);
+      ObjectHull united;
+      const GrowthStep step = tryPatch (best, border, piece, united);
       if (steps)
         steps->push_back (step);
       if (step.refused_by == GrowthConstraint::none)
       {
-        addPatch (best, piece, std::move (hull_vertices));
+        addPatch (best, piece, std::move (united));
         piece.hollowness = hollowness (piece);
         grown = true;
       }
@@ -576,11 +580,11 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
   }
   if (between == 0 || nearer < 0.8f * between)
     return (false);
-  std::vector<Eigen::Vector3f> vertices = object.hull_vertices;
-  vertices.insert (vertices.end (), piece.hull_vertices.begin (), piece.hull_vertices.end ());
+  ObjectHull united = object.hull;
+  united.add (piece.hull);
   std::vector<int> together = object.patches;
   together.insert (together.end (), piece.patches.begin (), piece.patches.end ());
-  return (compactnessOf (together, computeVisibleHull (vertices), false) <= 0.006f);
+  return (compactnessOf (together, united.visible (), false) <= 0.006f);
 }
 
 bool
@@ -710,7 +714,7 @@ CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
     segment.indices.insert (segment.indices.end (), pixels.begin (), pixels.end ());
   }
   std::sort (segment.indices.begin (), segment.indices.end ());
-  segment.compactness = compactnessOf (object.patches, computeVisibleHull (object.hull_vertices), false);
+  segment.compactness = compactnessOf (object.patches, object.hull.visible (), false);
   const PlanarPatch& first = patches_.patches[initial.front () - 1];
   segment.plane << first.normal, -first.normal.dot (first.centroid);
   return (true);

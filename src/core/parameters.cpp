@@ -160,6 +160,10 @@ makeTable ()
              "mean distance of the points to the visible faces of the hull")
     .number ("compactness_samples", &ClusteringParameters::compactness_samples, 3, 100000, "", "eq. 13",
              "points of a patch that the mean is taken over, at most")
+    .choice ("hull_method", &ClusteringParameters::hull_method, {"growing", "qhull"}, "IV-B.2",
+             "hull of an object: kept and extended, or anew by pcl::ConvexHull")
+    .choice ("face_distance", &ClusteringParameters::face_distance, {"triangle", "plane"}, "eq. 14",
+             "distance of a point to a face of the hull: to the face itself, or to its plane")
     .number ("minimum_connection", &ClusteringParameters::minimum_connection, 0, 1, "share", "",
              "of the common border that is connected in 3D; 0: off")
     .number ("minimum_convexity", &ClusteringParameters::minimum_convexity, -2, 2, "", "",

@@ -95,6 +95,8 @@ AttentionParameters::paper ()
   parameters.clustering.initial_patches = InitialPatches::within_radius;
   parameters.clustering.color_constraint = ColorConstraint::nearer_object;
   parameters.clustering.compactness_threshold = 0.005f;
+  parameters.clustering.hull_method = HullMethod::qhull;
+  parameters.clustering.face_distance = FaceDistance::triangle;
   parameters.clustering.minimum_connection = 0.0f;
   parameters.clustering.minimum_convexity = -2.0f;
   parameters.clustering.stay_off_support = false;

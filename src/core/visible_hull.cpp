@@ -59,26 +59,27 @@ computeVisibleHull (const std::vector<Eigen::Vector3f>& points)
     inside += vertex / static_cast<float> (hull.vertices.size ());
   for (const auto& triangle : mesh.triangles)
   {
-    VisibleHull::Face face;
+    std::array<Eigen::Vector3f, 3> corners;
     for (int corner = 0; corner < 3; ++corner)
-      face.corners[corner] = hull.vertices[triangle[corner]];
-    const Eigen::Vector3f area = (face.corners[1] - face.corners[0]).cross (face.corners[2] - face.corners[0]);
+      corners[corner] = hull.vertices[triangle[corner]];
+    const Eigen::Vector3f area = (corners[1] - corners[0]).cross (corners[2] - corners[0]);
     if (area.norm () <= 0.0f)
       continue;
-    face.normal = area.normalized ();
-    face.offset = -face.normal.dot (face.corners[0]);
+    const Eigen::Vector3f normal = area.normalized ();
     // Qhull through PCL does not orient its facets. A flat hull is seen from whichever side the viewer is on.
-    const float towards_inside = hull.dimension == 3 ? face.normal.dot (inside) + face.offset : -face.offset;
-    if (towards_inside > 0.0f)
-    {
-      face.normal = -face.normal;
-      face.offset = -face.offset;
-    }
-    // Seen edge-on, as the sides of what is cut out along rays are, a face shows nothing.
-    constexpr float edge_on = 1e-4f;
-    (face.offset > edge_on * face.corners[0].norm () ? hull.faces : hull.hidden_faces).push_back (face);
+    const Eigen::Vector3f towards_inside = hull.dimension == 3 ? Eigen::Vector3f (inside - corners[0]) : corners[0];
+    hull.addFace (corners, normal.dot (towards_inside) > 0.0f ? Eigen::Vector3f (-normal) : normal);
   }
   return (hull);
+}
+
+void
+VisibleHull::addFace (const std::array<Eigen::Vector3f, 3>& corners, const Eigen::Vector3f& normal)
+{
+  const Face face{corners, normal, -normal.dot (corners[0])};
+  // Seen edge-on, as the sides of what is cut out along rays are, a face shows nothing.
+  constexpr float edge_on = 1e-4f;
+  (face.offset > edge_on * corners[0].norm () ? faces : hidden_faces).push_back (face);
 }
 
 float
@@ -104,25 +105,22 @@ distanceToTriangle (const Eigen::Vector3f& point, const VisibleHull::Face& face)
   return (over_face ? std::abs (height) : nearest);
 }
 
-float
-distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Face>& faces)
+namespace
 {
-  if (faces.empty ())
-    return (0.0f);
-  // No triangle is nearer than its plane, and the nearest plane's triangle is nearly always the nearest one.
+
+/** \brief Distance from a point to the nearest of some faces, of which the nearest plane's distance is known. */
+float
+distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Face>& faces, float plane_distance)
+{
   const auto toPlane = [&point] (const VisibleHull::Face& face) { return (std::abs (face.normal.dot (point) + face.offset)); };
-  const VisibleHull::Face* nearest_plane = &faces.front ();
-  float plane_distance = toPlane (*nearest_plane);
+  // No triangle is nearer than its plane, and the nearest plane's triangle is nearly always the nearest one.
+  float nearest = std::numeric_limits<float>::max ();
   for (const VisibleHull::Face& face : faces)
-  {
-    const float distance = toPlane (face);
-    if (distance < plane_distance)
+    if (toPlane (face) <= plane_distance)
     {
-      plane_distance = distance;
-      nearest_plane = &face;
+      nearest = distanceToTriangle (point, face);
+      break;
     }
-  }
-  float nearest = distanceToTriangle (point, *nearest_plane);
   if (nearest > plane_distance)
     for (const VisibleHull::Face& face : faces)
       if (toPlane (face) < nearest)
@@ -130,20 +128,37 @@ distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Fa
   return (nearest);
 }
 
-namespace
+/** \brief Distance of each point to the nearest plane of some faces. */
+Eigen::ArrayXf
+distancesToPlanes (const std::vector<Eigen::Vector3f>& points, const std::vector<VisibleHull::Face>& faces)
 {
+  const auto count = static_cast<Eigen::Index> (points.size ());
+  Eigen::ArrayXf x (count), y (count), z (count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    x[i] = points[i].x ();
+    y[i] = points[i].y ();
+    z[i] = points[i].z ();
+  }
+  Eigen::ArrayXf nearest = Eigen::ArrayXf::Constant (count, std::numeric_limits<float>::max ());
+  for (const VisibleHull::Face& face : faces)
+    nearest = nearest.min ((face.normal.x () * x + face.normal.y () * y + face.normal.z () * z + face.offset).abs ());
+  return (nearest);
+}
 
 float
 meanDistance (const std::vector<Eigen::Vector3f>& points, const std::vector<float>& weights, const VisibleHull& hull,
-              const std::vector<VisibleHull::Face>& faces)
+              const std::vector<VisibleHull::Face>& faces, FaceDistance face_distance)
 {
-  if (points.empty () || hull.dimension < 3)
+  if (points.empty () || faces.empty () || hull.dimension < 3)
     return (0.0f);
+  const Eigen::ArrayXf to_planes = distancesToPlanes (points, faces);
   double sum = 0.0, total = 0.0;
   for (std::size_t i = 0; i < points.size (); ++i)
   {
     const double weight = weights.empty () ? 1.0 : weights[i];
-    sum += weight * distanceToFaces (points[i], faces);
+    const float to_plane = to_planes[static_cast<Eigen::Index> (i)];
+    sum += weight * (face_distance == FaceDistance::plane ? to_plane : distanceToFaces (points[i], faces, to_plane));
     total += weight;
   }
   return (static_cast<float> (sum / total));
@@ -152,15 +167,23 @@ meanDistance (const std::vector<Eigen::Vector3f>& points, const std::vector<floa
 } // namespace
 
 float
-compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights)
+distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Face>& faces)
 {
-  return (meanDistance (points, weights, hull, hull.faces));
+  return (faces.empty () ? 0.0f : distanceToFaces (point, faces, distancesToPlanes ({point}, faces)[0]));
 }
 
 float
-hollowCompactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights)
+compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights,
+             FaceDistance face_distance)
 {
-  return (meanDistance (points, weights, hull, hull.hidden_faces));
+  return (meanDistance (points, weights, hull, hull.faces, face_distance));
+}
+
+float
+hollowCompactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights,
+                   FaceDistance face_distance)
+{
+  return (meanDistance (points, weights, hull, hull.hidden_faces, face_distance));
 }
 
 } // namespace pcl_attention

@@ -13,6 +13,9 @@
 namespace pcl_attention
 {
 
+class ObjectHull;
+struct HullGrid;
+
 /** \brief Which patches an object starts with (paper IV-B: "all patches bordering this point with a 5 pixel radius"). */
 enum class InitialPatches
 {
@@ -37,6 +40,8 @@ struct ClusteringParameters
   ColorConstraint color_constraint{ColorConstraint::off};
   float compactness_threshold{0.005f}; /**< theta_com, metres */
   int compactness_samples{100};       /**< points of a patch that kappa is the mean of, at most */
+  HullMethod hull_method{HullMethod::growing};
+  FaceDistance face_distance{FaceDistance::plane};
   float minimum_connection{0.5f};     /**< share of the common border that is connected in 3D, 0..1; 0: off */
   float minimum_convexity{-0.2f};     /**< of the common border, -2 (concave) .. 2; -2: off */
   float color_convexity{0.3f};        /**< how much more convexity differing colours ask for, and like colours spare */
@@ -136,9 +141,11 @@ private:
   bool
   isSupport (int label) const { return (!support_patches_.empty () && support_patches_[label]); }
 
-  /** \param[in] hull_vertices of the piece with the patch, if they are already known */
   void
-  addPatch (int label, Piece& piece, std::vector<Eigen::Vector3f>&& hull_vertices = {});
+  addPatch (int label, Piece& piece);
+  /** \param[in] united hull of the piece with the patch */
+  void
+  addPatch (int label, Piece& piece, ObjectHull&& united);
 
   /** \brief Try every neighbour, the longest connected border first, until none can be added.
     * \param[out] steps what was tried; may be null */
@@ -147,9 +154,9 @@ private:
 
   /** \brief Ask all constraints about a patch.
     * \param[in] border from the piece to the patch
-    * \param[out] hull_vertices of the piece with the patch, if it can be added */
+    * \param[out] united hull of the piece with the patch, if it can be added */
   GrowthStep
-  tryPatch (int label, const PatchBorder& border, Piece& piece, std::vector<Eigen::Vector3f>& hull_vertices);
+  tryPatch (int label, const PatchBorder& border, Piece& piece, ObjectHull& united);
 
   /** \brief Convexity of a patch's border to a piece, from the patches that are no fragments where there are such: a fragment in a
     * crease has normals of both sides and says nothing about it. */
@@ -159,9 +166,6 @@ private:
   /** \brief kappa of some patches (paper eq. 13), to the hidden faces if they are hollow. */
   float
   compactnessOf (const std::vector<int>& labels, const VisibleHull& hull, bool hollow) const;
-
-  VisibleHull
-  unitedHull (int label, const Piece& piece);
 
   /** \brief CS_in and CS_out (paper eq. 11 and 12). */
   std::pair<float, float>
@@ -225,8 +229,8 @@ private:
   bool
   isBehindSameOccluder (const Piece& object, const Piece& piece);
 
-  const std::vector<Eigen::Vector3f>&
-  hullVertices (int label);
+  const ObjectHull&
+  patchHull (int label);
 
   const OrganizedCloud& cloud_;
   const PlanarPatches& patches_;
@@ -234,8 +238,9 @@ private:
   const std::vector<std::uint8_t> support_patches_;
   const ClusteringParameters parameters_;
   const float focal_length_; /**< pixels */
+  const std::unique_ptr<HullGrid> hull_grid_;
   std::vector<std::vector<Sample>> samples_;                /**< of label k at [k] */
-  std::vector<std::vector<Eigen::Vector3f>> hull_vertices_; /**< of label k at [k]; empty until asked for */
+  std::vector<std::unique_ptr<ObjectHull>> hulls_;          /**< of label k at [k]; null until asked for */
   std::vector<std::unique_ptr<Piece>> pieces_;              /**< from label k at [k]; null until asked for */
   std::vector<ColorHistogram> histograms_;                  /**< of label k at [k]; empty without colour */
   std::vector<std::uint8_t> color_bins_;                    /**< of every pixel; empty without colour */

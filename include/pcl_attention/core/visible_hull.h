@@ -11,8 +11,22 @@
 namespace pcl_attention
 {
 
+/** \brief How the hull of a growing object is worked out. */
+enum class HullMethod
+{
+  growing, /**< kept, and extended by the patches that are added */
+  qhull    /**< anew for every candidate, by pcl::ConvexHull */
+};
+
+/** \brief What the distance of a point to a face is measured to. */
+enum class FaceDistance
+{
+  triangle, /**< the face itself, as printed */
+  plane     /**< the plane it lies on: less only near the outline, where the nearest visible plane's face lies elsewhere */
+};
+
 /** \brief The convex hull of an object as the sensor sees it: its vertices and the triangles that face the viewpoint. */
-struct VisibleHull
+struct PCL_ATTENTION_EXPORTS VisibleHull
 {
   struct Face
   {
@@ -25,6 +39,11 @@ struct VisibleHull
   std::vector<Face> faces;               /**< those that face the viewpoint */
   std::vector<Face> hidden_faces;        /**< the others: a hollow seen from its open side lies on these */
   int dimension{0};                      /**< 3: a solid; 2: the points lie on a plane; 1 or less: on a line or in one point */
+
+  /** \brief Add a triangle to the visible faces or to the hidden ones, as the viewpoint, the origin, sees it.
+    * \param[in] normal unit, out of the hull */
+  void
+  addFace (const std::array<Eigen::Vector3f, 3>& corners, const Eigen::Vector3f& normal);
 };
 
 /** \brief Convex hull by pcl::ConvexHull and its faces towards the viewpoint, the origin (paper IV-B.2).
@@ -45,10 +64,12 @@ distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Fa
   * 0 for a hull of dimension under 3, whose points lie on it.
   * \param[in] weights how many points each stands for; empty: one */
 PCL_ATTENTION_EXPORTS float
-compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights = {});
+compactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights = {},
+             FaceDistance face_distance = FaceDistance::triangle);
 
 /** \brief The same to the hidden faces: small for the inside of a bowl, whose visible faces are its empty mouth. */
 PCL_ATTENTION_EXPORTS float
-hollowCompactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights = {});
+hollowCompactness (const std::vector<Eigen::Vector3f>& points, const VisibleHull& hull, const std::vector<float>& weights = {},
+                   FaceDistance face_distance = FaceDistance::triangle);
 
 } // namespace pcl_attention

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "object_hull.h"
+
+#include <pcl_attention/core/organized_cloud.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl_attention
+{
+
+namespace
+{
+
+/** \brief Points farthest out in some directions come first: what lies between them is then inside and costs no change. */
+std::vector<int>
+extremesFirst (const std::vector<Eigen::Vector3d>& points)
+{
+  std::vector<int> order;
+  std::vector<std::uint8_t> taken (points.size (), 0);
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+      {
+        const Eigen::Vector3d direction (x, y, z);
+        std::size_t farthest = 0;
+        double reach = -std::numeric_limits<double>::max ();
+        for (std::size_t i = 0; i < points.size (); ++i)
+          if (direction.dot (points[i]) > reach)
+          {
+            reach = direction.dot (points[i]);
+            farthest = i;
+          }
+        if (!taken[farthest])
+          order.push_back (static_cast<int> (farthest));
+        taken[farthest] = 1;
+      }
+  for (std::size_t i = 0; i < points.size (); ++i)
+    if (!taken[i])
+      order.push_back (static_cast<int> (i));
+  return (order);
+}
+
+} // namespace
+
+HullGrid::HullGrid (const OrganizedCloud& cloud)
+{
+  Eigen::Vector3f low = Eigen::Vector3f::Constant (std::numeric_limits<float>::max ()), high = -low;
+  for (std::size_t index = 0; index < cloud.size (); ++index)
+    if (cloud.valid[index])
+    {
+      const Eigen::Vector3f point (cloud.x[index], cloud.y[index], cloud.z[index]);
+      low = low.cwiseMin (point);
+      high = high.cwiseMax (point);
+    }
+  // With coordinates of 16 bits a normal has 35, a plane's value at a point 52: whole numbers up to 2^53 are exact.
+  constexpr float steps = 65000.0f;
+  const float extent = (high - low).maxCoeff ();
+  if (!(extent > 0.0f))
+    return;
+  origin = 0.5f * (low + high);
+  step = extent / steps;
+}
+
+void
+GrowingHull::add (const std::vector<Eigen::Vector3f>& points)
+{
+  std::vector<Eigen::Vector3d> on_grid;
+  on_grid.reserve (points.size ());
+  for (const Eigen::Vector3f& point : points)
+    on_grid.emplace_back (((point - grid_.origin) / grid_.step).array ().round ().matrix ().cast<double> ());
+  addOnGrid (on_grid);
+}
+
+void
+GrowingHull::add (const GrowingHull& other)
+{
+  addOnGrid (other.points_);
+}
+
+void
+GrowingHull::addOnGrid (const std::vector<Eigen::Vector3d>& points)
+{
+  const auto first = static_cast<int> (points_.size ());
+  if (facets_.empty ())
+  {
+    points_.insert (points_.end (), points.begin (), points.end ());
+    if (!startTetrahedron ())
+      return;
+    // The tetrahedron's own corners lie on it and change nothing.
+    for (const int point : extremesFirst (points_))
+      insert (point);
+  }
+  else
+  {
+    points_.insert (points_.end (), points.begin (), points.end ());
+    for (const int point : extremesFirst (points))
+      insert (first + point);
+  }
+  dropInnerPoints ();
+}
+
+bool
+GrowingHull::startTetrahedron ()
+{
+  if (points_.empty ())
+    return (false);
+  const auto farthest = [this] (const auto& distance) {
+    return (static_cast<int> (std::max_element (points_.begin (), points_.end (),
+                                                [&] (const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+                                                  return (distance (a) < distance (b));
+                                                }) - points_.begin ()));
+  };
+  const int a = 0;
+  const int b = farthest ([&] (const Eigen::Vector3d& p) { return ((p - points_[a]).squaredNorm ()); });
+  const Eigen::Vector3d edge = points_[b] - points_[a];
+  const int c = farthest ([&] (const Eigen::Vector3d& p) { return (edge.cross (p - points_[a]).squaredNorm ()); });
+  const Eigen::Vector3d normal = edge.cross (points_[c] - points_[a]);
+  const auto height = [&] (const Eigen::Vector3d& p) { return (normal.dot (p - points_[a])); };
+  const int d = farthest ([&] (const Eigen::Vector3d& p) { return (std::abs (height (p))); });
+  if (height (points_[d]) == 0.0)
+    return (false);
+  const bool below = height (points_[d]) < 0.0;
+  const int second = below ? b : c, third = below ? c : b;
+  facets_ = {makeFacet (a, second, third), makeFacet (a, third, d), makeFacet (third, second, d), makeFacet (second, a, d)};
+  return (true);
+}
+
+GrowingHull::Facet
+GrowingHull::makeFacet (int a, int b, int c) const
+{
+  Facet facet;
+  facet.corners = {a, b, c};
+  facet.normal = (points_[b] - points_[a]).cross (points_[c] - points_[a]);
+  facet.offset = -facet.normal.dot (points_[a]);
+  return (facet);
+}
+
+void
+GrowingHull::insert (int point)
+{
+  // A point on a facet's plane does not see it: what it adds beside it is seen by the facet's neighbours.
+  std::vector<std::uint64_t> edges;
+  const auto edge = [] (int from, int to) { return (static_cast<std::uint64_t> (from) << 32 | static_cast<std::uint32_t> (to)); };
+  const Eigen::Vector3d position = points_[point];
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < facets_.size (); ++i)
+  {
+    const Facet& facet = facets_[i];
+    if (facet.normal.dot (position) + facet.offset > 0.0)
+      for (int corner = 0; corner < 3; ++corner)
+        edges.push_back (edge (facet.corners[corner], facet.corners[(corner + 1) % 3]));
+    else if (kept++ != i)
+      facets_[kept - 1] = facets_[i];
+  }
+  facets_.resize (kept);
+  // An edge that is met in one direction only is the horizon.
+  for (const std::uint64_t seen : edges)
+  {
+    const int from = static_cast<int> (seen >> 32), to = static_cast<int> (seen & 0xffffffffu);
+    if (std::find (edges.begin (), edges.end (), edge (to, from)) == edges.end ())
+      facets_.push_back (makeFacet (from, to, point));
+  }
+}
+
+void
+GrowingHull::dropInnerPoints ()
+{
+  std::vector<int> place (points_.size (), -1);
+  std::vector<Eigen::Vector3d> corners;
+  for (Facet& facet : facets_)
+    for (int& corner : facet.corners)
+    {
+      if (place[corner] < 0)
+      {
+        place[corner] = static_cast<int> (corners.size ());
+        corners.push_back (points_[corner]);
+      }
+      corner = place[corner];
+    }
+  points_ = std::move (corners);
+}
+
+std::vector<Eigen::Vector3f>
+GrowingHull::vertices () const
+{
+  std::vector<Eigen::Vector3f> vertices;
+  vertices.reserve (points_.size ());
+  for (const Eigen::Vector3d& point : points_)
+    vertices.push_back (inMetres (point));
+  return (vertices);
+}
+
+VisibleHull
+GrowingHull::visible () const
+{
+  VisibleHull hull;
+  hull.vertices = vertices ();
+  if (facets_.empty ())
+  {
+    hull.dimension = std::min<int> (2, static_cast<int> (points_.size ()) - 1);
+    return (hull);
+  }
+  hull.dimension = 3;
+  for (const Facet& facet : facets_)
+  {
+    std::array<Eigen::Vector3f, 3> corners;
+    for (int corner = 0; corner < 3; ++corner)
+      corners[corner] = hull.vertices[facet.corners[corner]];
+    hull.addFace (corners, facet.normal.normalized ().cast<float> ());
+  }
+  return (hull);
+}
+
+void
+ObjectHull::add (const std::vector<Eigen::Vector3f>& points)
+{
+  if (method_ == HullMethod::growing)
+    return (growing_.add (points));
+  // The hull of a union is the hull of the hulls' vertices.
+  std::vector<Eigen::Vector3f> all = computed_.vertices;
+  all.insert (all.end (), points.begin (), points.end ());
+  computed_ = computeVisibleHull (all);
+}
+
+void
+ObjectHull::add (const ObjectHull& other)
+{
+  if (method_ == HullMethod::growing)
+    return (growing_.add (other.growing_));
+  add (other.computed_.vertices);
+}
+
+} // namespace pcl_attention

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl_attention/core/visible_hull.h>
+
+#include <array>
+#include <vector>
+
+namespace pcl_attention
+{
+
+struct OrganizedCloud;
+
+/** \brief A grid of 65,000 steps over a frame, a fraction of any depth sensor's noise. Planes through its points, and the sides on
+  * which others lie, are exact in double arithmetic, so that a hull of them needs no tolerance. */
+struct PCL_ATTENTION_EXPORTS HullGrid
+{
+  HullGrid () = default;
+  /** \brief Over the valid points of a cloud. */
+  explicit HullGrid (const OrganizedCloud& cloud);
+
+  Eigen::Vector3f origin{Eigen::Vector3f::Zero ()}; /**< metres */
+  float step{1.0f};                                 /**< metres */
+};
+
+/** \brief A convex hull that is kept and extended: adding a patch to an object costs the patch's vertices, not a new hull. */
+class PCL_ATTENTION_EXPORTS GrowingHull
+{
+public:
+  GrowingHull () = default;
+  explicit GrowingHull (const HullGrid& grid) : grid_ (grid) {}
+
+  /** \brief Extend the hull.
+    * \param[in] points on the grid after rounding, metres, sensor frame, within the grid's frame */
+  void
+  add (const std::vector<Eigen::Vector3f>& points);
+  /** \brief Extend by another hull on the same grid. */
+  void
+  add (const GrowingHull& other);
+
+  /** \brief Corners of the hull, or all points while they lie on a plane, metres. */
+  std::vector<Eigen::Vector3f>
+  vertices () const;
+
+  /** \brief The hull seen from the origin. A hull without volume has no faces, and dimension 2 or less. */
+  VisibleHull
+  visible () const;
+
+private:
+  /** \brief A triangle, counter-clockwise seen from outside, and its plane: n . p + d > 0 outside. */
+  struct Facet
+  {
+    std::array<int, 3> corners;
+    Eigen::Vector3d normal;
+    double offset;
+  };
+
+  void
+  addOnGrid (const std::vector<Eigen::Vector3d>& points);
+  /** \brief Find four points that span a volume.
+    * \return false when there are none */
+  bool
+  startTetrahedron ();
+  void
+  insert (int point);
+  Facet
+  makeFacet (int a, int b, int c) const;
+  /** \brief Forget points that are no corner. */
+  void
+  dropInnerPoints ();
+  Eigen::Vector3f
+  inMetres (const Eigen::Vector3d& point) const { return (grid_.origin + grid_.step * point.cast<float> ()); }
+
+  HullGrid grid_;
+  std::vector<Eigen::Vector3d> points_; /**< in steps from the grid's origin, whole numbers; the corners, or all while flat */
+  std::vector<Facet> facets_;           /**< empty while flat */
+};
+
+/** \brief The hull of a growing object by either method. */
+class PCL_ATTENTION_EXPORTS ObjectHull
+{
+public:
+  ObjectHull () = default;
+  ObjectHull (HullMethod method, const HullGrid& grid) : method_ (method), growing_ (grid) {}
+
+  void
+  add (const std::vector<Eigen::Vector3f>& points);
+  void
+  add (const ObjectHull& other);
+
+  VisibleHull
+  visible () const { return (method_ == HullMethod::growing ? growing_.visible () : computed_); }
+
+private:
+  HullMethod method_{HullMethod::growing};
+  GrowingHull growing_;
+  VisibleHull computed_;
+};
+
+} // namespace pcl_attention
