@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "convex_hull.h"
 #include "object_hull.h"
 
 #include <pcl_attention/core/compact_clustering.h>
+#include <pcl_attention/core/supporting_plane.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,9 @@ namespace pcl_attention
 
 namespace
 {
+
+/** \brief The shape of fewer pixels says nothing. */
+constexpr int certain_size = 200;
 
 /** \brief How many times larger an object is than a handle on it, at least. */
 constexpr int much_larger = 4;
@@ -65,6 +70,7 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   support_patches_ (support_patches),
   parameters_ (parameters),
   focal_length_ (estimateFocalLength (cloud)),
+  depth_noise_ (estimateDepthNoise (cloud)),
   hull_grid_ (std::make_unique<HullGrid> (cloud))
 {
   const std::size_t count = patches.patches.size () + 1;
@@ -300,7 +306,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   if (parameters_.minimum_convexity > -2.0f)
   {
     constexpr float curved_inwards = 0.01f, certainly_curved = 0.2f;
-    constexpr int certain_size = 200, color_size = 40;
+    constexpr int color_size = 40;
     Piece candidate;
     candidate.patches = {label};
     candidate.pixels = static_cast<int> (patches_.patches[label - 1].pixels.size ());
@@ -340,10 +346,13 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   std::vector<int> together = piece.patches;
   together.push_back (label);
   const float kappa = compactnessOf (together, united.visible (), hollow);
-  if (kappa >= parameters_.compactness_threshold)
-    return (refuse (GrowthConstraint::compactness, kappa, parameters_.compactness_threshold));
+  // Noise moves the hull outwards, the points not: their mean distance grows by as much.
+  const float depth = patches_.patches[label - 1].centroid.z ();
+  const float limit = parameters_.compactness_threshold + parameters_.compactness_noise * depth_noise_ * depth * depth;
+  if (kappa >= limit)
+    return (refuse (GrowthConstraint::compactness, kappa, limit));
   step.value = kappa;
-  step.limit = parameters_.compactness_threshold;
+  step.limit = limit;
   return (step);
 }
 
@@ -487,6 +496,9 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece, const Pi
     return (false);
   const Piece& inside = object_is_hollow ? object : piece;
   const Piece& wall = object_is_hollow ? piece : object;
+  // A crease between two objects curves inwards as well.
+  if (inside.pixels < certain_size)
+    return (false);
   const auto score = [&] (const Piece& candidate) {
     const PatchBorder border = borderBetween (candidate, inside);
     const float share = static_cast<float> (border.pairs) / std::max (1, inside.perimeter);
@@ -519,7 +531,7 @@ CompactClustering::isFloorOf (const Piece& object, const Piece& piece) const
   const bool object_is_hollow = object.hollowness > hollow;
   const Piece& inside = object_is_hollow ? object : piece;
   const Piece& floor = object_is_hollow ? piece : object;
-  if (inside.hollowness <= hollow || floor.hollowness < outside)
+  if (inside.hollowness <= hollow || floor.hollowness < outside || inside.pixels < certain_size)
     return (false);
   // What lies in a hollow hides nothing.
   int before = 0;
@@ -539,7 +551,6 @@ CompactClustering::isEnclosedBy (const Piece& object, const Piece& piece) const
 bool
 CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece)
 {
-  constexpr int certain_size = 200;
   if (object.pixels < certain_size || piece.pixels < certain_size || borderBetween (object, piece).pairs > 0)
     return (false);
   const auto centroid = [this] (const Piece& of) {
@@ -622,6 +633,13 @@ CompactClustering::joinPiece (Piece& object)
     if (belong (object, *piece) || belong (*piece, object) ||
         (parameters_.join_hollows && (isFloorOf (object, *piece) || isHollowOf (object, *piece, object) || isOtherWallOf (object, *piece))))
       return (join (*piece));
+  if (parameters_.join_hollows)
+  {
+    const std::vector<std::uint8_t> mouth = mouthOf (object);
+    for (const Piece* piece : neighbors)
+      if (liesInMouth (mouth, object, *piece))
+        return (join (*piece));
+  }
   if (!parameters_.join_occluded)
     return (false);
   for (const Piece* piece : neighbors)
@@ -630,6 +648,86 @@ CompactClustering::joinPiece (Piece& object)
     if (isBehindSameOccluder (object, *piece))
       return (join (*piece));
   return (false);
+}
+
+std::vector<std::uint8_t>
+CompactClustering::mouthOf (const Piece& object) const
+{
+  constexpr float certainly_hollow = 0.2f;
+  std::vector<const Piece*> hollows;
+  if (object.hollowness > certainly_hollow)
+    hollows.push_back (&object);
+  for (const Piece* piece : object.joined)
+    if (piece->hollowness > certainly_hollow)
+      hollows.push_back (piece);
+  if (hollows.empty ())
+    return {};
+  // The hull of the ends of the rows is that of all pixels.
+  std::vector<std::pair<int, int>> ends (cloud_.height, {cloud_.width, -1});
+  for (const Piece* piece : hollows)
+    for (const int label : piece->patches)
+      for (const pcl::index_t index : patches_.patches[label - 1].pixels)
+      {
+        auto& [left, right] = ends[index / cloud_.width];
+        left = std::min (left, index % cloud_.width);
+        right = std::max (right, index % cloud_.width);
+      }
+  std::vector<Eigen::Vector3f> outline;
+  for (int row = 0; row < cloud_.height; ++row)
+    if (ends[row].second >= 0)
+      for (const int column : {ends[row].first, ends[row].second})
+        outline.emplace_back (static_cast<float> (column), static_cast<float> (row), 0.0f);
+  const std::vector<Eigen::Vector3f> corners = computeConvexHull (outline, 2).vertices;
+  if (corners.size () < 3)
+    return {};
+  std::vector<std::uint8_t> mouth (cloud_.size (), 0);
+  for (int row = 0; row < cloud_.height; ++row)
+  {
+    // Where the row crosses the polygon.
+    float left = static_cast<float> (cloud_.width), right = -1.0f;
+    for (std::size_t i = 0; i < corners.size (); ++i)
+    {
+      const Eigen::Vector3f &a = corners[i], &b = corners[(i + 1) % corners.size ()];
+      const float y = static_cast<float> (row);
+      if (std::min (a.y (), b.y ()) > y || std::max (a.y (), b.y ()) < y)
+        continue;
+      for (const float x : {a.y () == b.y () ? a.x () : a.x () + (b.x () - a.x ()) * (y - a.y ()) / (b.y () - a.y ()),
+                            a.y () == b.y () ? b.x () : a.x () + (b.x () - a.x ()) * (y - a.y ()) / (b.y () - a.y ())})
+      {
+        left = std::min (left, x);
+        right = std::max (right, x);
+      }
+    }
+    for (int column = static_cast<int> (std::ceil (left)); column <= static_cast<int> (right); ++column)
+      mouth[static_cast<std::size_t> (row) * cloud_.width + column] = 1;
+  }
+  return (mouth);
+}
+
+pcl::Indices
+CompactClustering::supportInMouth (const Piece& object) const
+{
+  pcl::Indices inside;
+  const std::vector<std::uint8_t> mouth = mouthOf (object);
+  for (std::size_t index = 0; index < mouth.size (); ++index)
+    if (mouth[index] && isSupport (patches_.labels[index]))
+      inside.push_back (static_cast<pcl::index_t> (index));
+  return (inside);
+}
+
+bool
+CompactClustering::liesInMouth (const std::vector<std::uint8_t>& mouth, const Piece& object, const Piece& piece) const
+{
+  constexpr float outside = -0.2f;
+  if (mouth.empty () || piece.hollowness < outside || piece.pixels > object.pixels)
+    return (false);
+  int within = 0, before = 0;
+  for (const int label : piece.patches)
+    for (const pcl::index_t index : patches_.patches[label - 1].pixels)
+      within += mouth[index];
+  for (const auto& border : piece.borders)
+    before += border.second.first_in_front;
+  return (within >= 0.8f * piece.pixels && before <= 0.1f * piece.perimeter);
 }
 
 float
@@ -712,6 +810,11 @@ CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
   {
     const pcl::Indices& pixels = patches_.patches[label - 1].pixels;
     segment.indices.insert (segment.indices.end (), pixels.begin (), pixels.end ());
+  }
+  if (parameters_.join_hollows)
+  {
+    const pcl::Indices floor = supportInMouth (object);
+    segment.indices.insert (segment.indices.end (), floor.begin (), floor.end ());
   }
   std::sort (segment.indices.begin (), segment.indices.end ());
   segment.compactness = compactnessOf (object.patches, object.hull.visible (), false);

@@ -158,6 +158,8 @@ makeTable ()
              "eq. 11, 12", "add patches with CS_in < CS_out, or CS_out < CS_in as printed")
     .number ("compactness_threshold", &ClusteringParameters::compactness_threshold, 0, 10, "m", "eq. 13, 14, theta_com",
              "mean distance of the points to the visible faces of the hull")
+    .number ("compactness_noise", &ClusteringParameters::compactness_noise, 0, 100, "sigma", "eq. 13",
+             "added to the threshold, standard deviations of the depth at the patch: noise moves a hull outwards")
     .number ("compactness_samples", &ClusteringParameters::compactness_samples, 3, 100000, "", "eq. 13",
              "points of a patch that the mean is taken over, at most")
     .choice ("hull_method", &ClusteringParameters::hull_method, {"growing", "qhull"}, "IV-B.2",
@@ -189,6 +191,8 @@ makeTable ()
              "what stands on the supporting plane first, then the rest, each by saliency")
     .toggle ("inhibition_of_return", &SegmentationParameters::inhibition_of_return, "",
              "skip attention points that lie in an earlier segment or lead to one again")
+    .number ("full_size", &SegmentationParameters::full_size, 0, 100, "m^2", "",
+             "smaller segments are less salient by as much; 0: off")
     .number ("fixation_margin", &SegmentationParameters::fixation_margin, 0, 50, "pixels", "",
              "a fixation nearer than this to its segment's contour moves inside; 0: off")
     .toggle ("coverage", &SegmentationParameters::coverage, "", "unclaimed patches become attention points after all others")

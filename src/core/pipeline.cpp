@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace pcl_attention
 {
@@ -96,6 +97,7 @@ AttentionParameters::paper ()
   parameters.clustering.color_constraint = ColorConstraint::nearer_object;
   parameters.clustering.compactness_threshold = 0.005f;
   parameters.clustering.hull_method = HullMethod::qhull;
+  parameters.clustering.compactness_noise = 0.0f;
   parameters.clustering.face_distance = FaceDistance::triangle;
   parameters.clustering.minimum_connection = 0.0f;
   parameters.clustering.minimum_convexity = -2.0f;
@@ -105,6 +107,7 @@ AttentionParameters::paper ()
   parameters.clustering.absorb_size = 0;
   parameters.clustering.visiblePieces ();
   parameters.segmentation.prefer_supported = false;
+  parameters.segmentation.full_size = 0.0f;
   parameters.segmentation.inhibition_of_return = false;
   parameters.segmentation.fixation_margin = 0;
   parameters.segmentation.coverage = false;
@@ -131,7 +134,9 @@ AttentionPipeline::start (OrganizedCloud&& cloud, const Eigen::Isometry3f& senso
   over_support_.clear ();
   queue_.clear ();
   next_point_ = 0;
-  queue_filled_ = coverage_started_ = false;
+  preferred_points_ = 0;
+  waiting_.clear ();
+  queue_filled_ = false;
   claimed_.assign (cloud_.size (), 0);
   segments_found_ = 0;
   times_ = StageTimes ();
@@ -266,26 +271,31 @@ AttentionPipeline::clustering ()
 void
 AttentionPipeline::fillQueue ()
 {
-  queue_ = attentionPoints ().points;
-  if (!parameters_.segmentation.prefer_supported)
-    return;
   preparePatches ();
-  if (!over_support_.empty ())
-    std::stable_partition (queue_.begin (), queue_.end (), [this] (const AttentionPoint& point) {
-      return (over_support_[static_cast<std::size_t> (point.row) * cloud_.width + point.column]);
-    });
+  queue_ = attentionPoints ().points;
+  const bool ordered = parameters_.segmentation.prefer_supported && !over_support_.empty ();
+  auto rest = queue_.end ();
+  if (ordered)
+    rest = std::stable_partition (queue_.begin (), queue_.end (),
+                                  [this] (const AttentionPoint& point) { return (over_support_[indexOf (point)]); });
+  if (parameters_.segmentation.coverage)
+  {
+    const std::vector<AttentionPoint> points = coveragePoints ();
+    rest = queue_.insert (rest, points.begin (), points.end ()) + static_cast<std::ptrdiff_t> (points.size ());
+  }
+  preferred_points_ = static_cast<std::size_t> (rest - queue_.begin ());
 }
 
-void
-AttentionPipeline::addCoveragePoints ()
+std::vector<AttentionPoint>
+AttentionPipeline::coveragePoints () const
 {
-  preparePatches ();
   // The largest patches first.
   std::vector<std::pair<std::size_t, int>> order;
   for (std::size_t k = 0; k < patches_->patches.size (); ++k)
     if (support_patches_.empty () || !support_patches_[k + 1])
       order.emplace_back (patches_->patches[k].pixels.size (), static_cast<int> (k));
   std::stable_sort (order.begin (), order.end (), [] (const auto& a, const auto& b) { return (a.first > b.first); });
+  std::vector<AttentionPoint> points;
   for (const auto& [size, k] : order)
   {
     const PlanarPatch& patch = patches_->patches[k];
@@ -304,12 +314,42 @@ AttentionPipeline::addCoveragePoints ()
     point.row = center / cloud_.width;
     point.point_saliency = saliency_ ? saliency_->saliency[center] : 0.0f;
     point.kind = AttentionPointKind::coverage;
-    queue_.push_back (point);
+    points.push_back (point);
   }
+  return (points);
 }
 
 bool
-AttentionPipeline::nextPoint (AttentionPoint& point)
+AttentionPipeline::isInhibited (const AttentionPoint& point) const
+{
+  return ((parameters_.segmentation.inhibition_of_return || point.kind == AttentionPointKind::coverage) &&
+          claimed_[indexOf (point)]);
+}
+
+AttentionPipeline::Priority
+AttentionPipeline::priorityOf (std::size_t place, float size_weight) const
+{
+  // What is not salient at all still has its size.
+  constexpr float least = 0.1f;
+  const AttentionPoint& point = queue_[place];
+  const float saliency = point.kind == AttentionPointKind::user ? std::numeric_limits<float>::infinity () : point.saliency;
+  return {place < preferred_points_, (least + saliency) * size_weight};
+}
+
+float
+AttentionPipeline::sizeWeight (const AttentionSegment& segment) const
+{
+  const float full_size = parameters_.segmentation.full_size, focal_length = estimateFocalLength (cloud_);
+  if (full_size <= 0.0f || focal_length <= 0.0f)
+    return (1.0f);
+  float area = 0.0f;
+  for (const pcl::index_t index : segment.indices)
+    area += cloud_.z[index] * cloud_.z[index] / (focal_length * focal_length);
+  return (std::min (1.0f, area / full_size));
+}
+
+bool
+AttentionPipeline::next (AttentionSegment& segment)
 {
   if (!queue_filled_)
   {
@@ -318,41 +358,51 @@ AttentionPipeline::nextPoint (AttentionPoint& point)
   }
   while (true)
   {
-    if (next_point_ == queue_.size () && parameters_.segmentation.coverage && !coverage_started_)
+    const auto best = std::max_element (waiting_.begin (), waiting_.end (), [] (const Waiting& a, const Waiting& b) {
+      return (a.priority < b.priority);
+    });
+    // No segment of a later point can come before one that is as salient as that point.
+    if (next_point_ < queue_.size () && (best == waiting_.end () || best->priority < priorityOf (next_point_, 1.0f)))
     {
-      coverage_started_ = true;
-      addCoveragePoints ();
+      growNext ();
+      continue;
     }
-    if (next_point_ == queue_.size ())
-      return (false);
-    point = queue_[next_point_++];
-    const bool claimed = claimed_[static_cast<std::size_t> (point.row) * cloud_.width + point.column];
-    if (!claimed || (!parameters_.segmentation.inhibition_of_return && point.kind != AttentionPointKind::coverage))
-      return (true);
-  }
-}
-
-bool
-AttentionPipeline::next (AttentionSegment& segment)
-{
-  AttentionPoint point;
-  while (nextPoint (point))
-  {
-    CompactClustering& grower = clustering ();
-    const StageTimer timer (times_.segmentation);
-    if (!grower.grow (point, segment) ||
-        static_cast<int> (segment.indices.size ()) < parameters_.segmentation.minimum_segment_size ||
-        ((parameters_.segmentation.inhibition_of_return || point.kind == AttentionPointKind::coverage) && isDuplicate (segment)))
+    if (best == waiting_.end ())
+      break;
+    segment = std::move (best->segment);
+    waiting_.erase (best);
+    const bool inhibits =
+      parameters_.segmentation.inhibition_of_return || segment.attention_point.kind == AttentionPointKind::coverage;
+    if (isInhibited (segment.attention_point) || (inhibits && isDuplicate (segment)))
       continue;
     segment.rank = ++segments_found_;
     for (const pcl::index_t index : segment.indices)
       claimed_[index] = 1;
+    const StageTimer timer (times_.segmentation);
     moveInside (segment);
     describe (segment);
     return (true);
   }
   segment = AttentionSegment ();
   return (false);
+}
+
+void
+AttentionPipeline::growNext ()
+{
+  const std::size_t place = next_point_++;
+  const AttentionPoint& point = queue_[place];
+  if (isInhibited (point))
+    return;
+  CompactClustering& grower = clustering ();
+  const StageTimer timer (times_.segmentation);
+  AttentionSegment segment;
+  if (grower.grow (point, segment) &&
+      static_cast<int> (segment.indices.size ()) >= parameters_.segmentation.minimum_segment_size)
+  {
+    const Priority priority = priorityOf (place, sizeWeight (segment));
+    waiting_.push_back ({std::move (segment), priority});
+  }
 }
 
 bool

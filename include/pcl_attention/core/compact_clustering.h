@@ -39,6 +39,7 @@ struct ClusteringParameters
   int initial_radius{5};              /**< around the attention point, pixels */
   ColorConstraint color_constraint{ColorConstraint::off};
   float compactness_threshold{0.005f}; /**< theta_com, metres */
+  float compactness_noise{2.5f};      /**< added to it, standard deviations of the depth: noise moves a hull outwards */
   int compactness_samples{100};       /**< points of a patch that kappa is the mean of, at most */
   HullMethod hull_method{HullMethod::growing};
   FaceDistance face_distance{FaceDistance::plane};
@@ -212,6 +213,15 @@ private:
   void
   takeLargerObject (Piece& object, std::vector<GrowthStep>& steps);
 
+  /** \brief 1 at pixels within the outline of an object's hollow, its convex hull in the image; empty without a hollow. */
+  std::vector<std::uint8_t>
+  mouthOf (const Piece& object) const;
+  /** \brief What was taken for the support, but is seen through the mouth of an object: its floor. */
+  pcl::Indices
+  supportInMouth (const Piece& object) const;
+  bool
+  liesInMouth (const std::vector<std::uint8_t>& mouth, const Piece& object, const Piece& piece) const;
+
   bool
   isFragmentOf (const Piece& object, const Piece& piece);
   bool
@@ -238,6 +248,7 @@ private:
   const std::vector<std::uint8_t> support_patches_;
   const ClusteringParameters parameters_;
   const float focal_length_; /**< pixels */
+  const float depth_noise_;  /**< standard deviation at 1 m, metres */
   const std::unique_ptr<HullGrid> hull_grid_;
   std::vector<std::vector<Sample>> samples_;                /**< of label k at [k] */
   std::vector<std::unique_ptr<ObjectHull>> hulls_;          /**< of label k at [k]; null until asked for */

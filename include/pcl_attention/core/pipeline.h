@@ -17,6 +17,7 @@ struct SegmentationParameters
 {
   bool prefer_supported{true};     /**< what stands on the supporting plane first, then the rest, each by saliency */
   bool inhibition_of_return{true}; /**< skip attention points that lie in an earlier segment or lead to one again */
+  float full_size{0.01f};          /**< smaller segments are less salient by as much, m^2 of frontal area; 0: off */
   int fixation_margin{4};          /**< a fixation nearer than this to its segment's contour moves inside, pixels; 0: off */
   bool coverage{true};             /**< every patch that no segment claims becomes an attention point, after all others; with
                                      a supporting plane only what stands on it */
@@ -118,10 +119,24 @@ private:
   clustering ();
   void
   fillQueue ();
-  void
-  addCoveragePoints ();
+  std::vector<AttentionPoint>
+  coveragePoints () const;
+  std::size_t
+  indexOf (const AttentionPoint& point) const { return (static_cast<std::size_t> (point.row) * cloud_.width + point.column); }
+  /** \brief Whether an earlier segment has claimed a point that is therefore skipped. */
   bool
-  nextPoint (AttentionPoint& point);
+  isInhibited (const AttentionPoint& point) const;
+
+  /** \brief What is preferred first, then by saliency. */
+  using Priority = std::pair<bool, float>;
+  Priority
+  priorityOf (std::size_t place, float size_weight) const;
+  /** \brief 0..1: a fragment that happens to be salient does not come before the objects. */
+  float
+  sizeWeight (const AttentionSegment& segment) const;
+  /** \brief Segment at the next point of the queue; what is found waits for its turn. */
+  void
+  growNext ();
   /** \brief Whether most of a segment was already found. */
   bool
   isDuplicate (const AttentionSegment& segment) const;
@@ -146,9 +161,18 @@ private:
   std::vector<std::uint8_t> support_patches_; /**< 1 at [label] for the patches that are background */
   std::vector<std::uint8_t> over_support_;    /**< 1 for points that stand on the supporting plane; empty without one */
   std::unique_ptr<CompactClustering> clustering_;
-  std::vector<AttentionPoint> queue_; /**< the attention points in the order they are visited, then the coverage points */
+  /** \brief A segment that was grown and has not been given out. */
+  struct Waiting
+  {
+    AttentionSegment segment;
+    Priority priority;
+  };
+
+  std::vector<AttentionPoint> queue_; /**< in the order they are visited: the preferred points, coverage points, the others */
+  std::size_t preferred_points_{0};   /**< with the coverage points */
   std::size_t next_point_{0};
-  bool queue_filled_{false}, coverage_started_{false};
+  bool queue_filled_{false};
+  std::vector<Waiting> waiting_; /**< in the order of their points */
   std::vector<std::uint8_t> claimed_; /**< 1 where a segment was found */
   int segments_found_{0};
   StageTimes times_;
