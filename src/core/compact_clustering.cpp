@@ -305,7 +305,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   bool hollow = false;
   if (parameters_.minimum_convexity > -2.0f)
   {
-    constexpr float curved_inwards = 0.01f, certainly_curved = 0.2f;
+    constexpr float certainly_curved = 0.2f;
     constexpr int color_size = 40;
     Piece candidate;
     candidate.patches = {label};
@@ -314,7 +314,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
     float limit = parameters_.minimum_convexity;
     if (parameters_.recognize_hollows)
     {
-      hollow = piece.hollowness > curved_inwards && candidate.hollowness > curved_inwards;
+      hollow = std::min (piece.hollowness, candidate.hollowness) > parameters_.minimum_hollowness;
       if (hollow)
         limit = std::min (limit, -0.7f);
       const bool inside_and_outside =

@@ -175,6 +175,8 @@ makeTable ()
              "how much more convexity differing colours ask for, and like colours spare")
     .toggle ("recognize_hollows", &ClusteringParameters::recognize_hollows, "",
              "patches that curve inwards together are one hollow, concave as their borders are")
+    .number ("minimum_hollowness", &ClusteringParameters::minimum_hollowness, -1, 1, "", "",
+             "mean cosine between the normals of a hollow's patch and the direction to its middle")
     .number ("absorb_size", &ClusteringParameters::absorb_size, 0, 1000000, "pixels", "",
              "smaller pieces join the neighbour they are connected to most; 0: off")
     .toggle ("join_hollows", &ClusteringParameters::join_hollows, "",

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <memory>
 
 namespace pcl_attention
@@ -49,6 +50,7 @@ struct ClusteringParameters
   bool stay_off_support{true};        /**< patches of a supporting plane are not added */
   bool recognize_hollows{true};       /**< patches that curve inwards together are the inside of one hollow, concave as their
                                         borders are */
+  float minimum_hollowness{0.01f};    /**< mean cosine between the normals of such a patch and the direction to its middle, -1..1 */
   int absorb_size{150};               /**< smaller pieces join the neighbour they are connected to most, pixels; 0: off */
   bool join_hollows{true};            /**< join the inside of a hollow and the wall before it; off with -parts */
   bool join_handles{true};            /**< join a thin piece that hangs on an object and on nothing else; off with -parts */
@@ -57,7 +59,12 @@ struct ClusteringParameters
 
   /** \brief Switch off what joins visible pieces into whole objects (`-parts`). */
   void
-  visiblePieces () { join_hollows = join_handles = join_enclosed = join_occluded = false; }
+  visiblePieces ()
+  {
+    join_hollows = join_handles = join_enclosed = join_occluded = false;
+    minimum_hollowness = 0.05f; // the flat floor of a pot is a piece of its own
+    absorb_size = std::min (absorb_size, 80);
+  }
 };
 
 /** \brief What decided about a candidate patch. */
