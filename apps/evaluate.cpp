@@ -180,5 +180,5 @@ main (int argc, char** argv)
     std::cerr << "pcl_attention_evaluate: " << error.what () << std::endl;
     return (EXIT_FAILURE);
   }
-  return (EXIT_SUCCESS);
+  return (exitCode ("pcl_attention_evaluate", EXIT_SUCCESS));
 }

@@ -134,7 +134,7 @@ main (int argc, char** argv)
   {
     const std::vector<std::string> paths = listScenes (command_line.positional ());
     OutputFolder::prepareParent (settings.output_folder);
-    return (processScenes (paths, settings) == 0 ? EXIT_SUCCESS : EXIT_FAILURE);
+    return (exitCode (program, processScenes (paths, settings) == 0 ? EXIT_SUCCESS : EXIT_FAILURE));
   }
   catch (const std::exception& error)
   {

@@ -129,6 +129,30 @@ TEST_F (SegmentProgram, writesTheContractsFilesConsistently)
   }
 }
 
+TEST_F (SegmentProgram, printsItsHelpWithTheFlagsAsTheyAreWritten)
+{
+  const Outcome outcome = run ("-h");
+  EXPECT_EQ (outcome.exit_code, 0);
+  EXPECT_EQ (outcome.output.find ("--"), std::string::npos) << outcome.output;
+  for (const ParameterDescription& row : parameterTable ())
+  {
+    EXPECT_NE (outcome.output.find ("\n   -" + row.name + " arg"), std::string::npos) << row.name;
+    EXPECT_NE (outcome.output.find ("\nStage " + row.stage + ":\n"), std::string::npos) << row.stage;
+  }
+}
+
+TEST_F (SegmentProgram, failsWhereItsOutputCannotBeWritten)
+{
+  save ("scene.pcd", rendered ());
+  for (const char* arguments : {"-h", "scene.pcd -output_dir out"})
+  {
+    const std::string command = "cd '" + (folder_ / "") + "' && '" PCL_ATTENTION_SEGMENT "' " + arguments +
+                                " > /dev/full 2> stderr.txt";
+    EXPECT_EQ (WEXITSTATUS (std::system (command.c_str ())), 1) << arguments;
+    EXPECT_NE (test::readText (folder_ / "stderr.txt").find ("standard output cannot be written"), std::string::npos);
+  }
+}
+
 TEST_F (SegmentProgram, resultsDoNotDependOnThreads)
 {
   save ("scene.pcd", rendered ());
