@@ -149,7 +149,7 @@ std::string
 summaryJson (const Scene& scene, const SceneSegments& result, const NamedParameters& parameters)
 {
   const StageTimes& times = result.times;
-  const Json json{{"version", PCL_ATTENTION_VERSION},
+  Json json{{"version", PCL_ATTENTION_VERSION},
                   {"parameters", parametersToJson (parameters)},
                   {"milliseconds",
                    {{"normals", rounded (times.normals)},
@@ -166,6 +166,9 @@ summaryJson (const Scene& scene, const SceneSegments& result, const NamedParamet
                     {"supporting_planes", result.supporting_planes.size ()},
                     {"points", scene.cloud->size ()},
                     {"valid_points", scene.valid_points}}}};
+  const Json prior = priorToJson (result.prior);
+  if (!prior.empty ())
+    json["prior"] = prior;
   return (json.dump (2) + '\n');
 }
 
