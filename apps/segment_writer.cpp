@@ -47,7 +47,8 @@ toJson (const AttentionPoint& point)
                {"row", point.row},
                {"kind", toString (point.kind)},
                {"saliency", toJson (point.saliency)},
-               {"point_saliency", toJson (point.point_saliency)}});
+               {"point_saliency", toJson (point.point_saliency)},
+               {"weight", toJson (point.weight)}});
 }
 
 Json

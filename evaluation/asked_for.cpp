@@ -136,7 +136,7 @@ priorFor (const Cloud& cloud, const GroundTruth& truth, int region, AskedFor ask
       break;
     case AskedFor::coarse_region:
     {
-      const int columns = truth.width / 4, rows = truth.height / 3;
+      const int columns = std::max (1, truth.width / 4), rows = std::max (1, truth.height / 3);
       const Region& at = truth.regions[region];
       prior.region = PixelRegion{at.center_column / columns * columns, at.center_row / rows * rows, columns, rows};
       break;

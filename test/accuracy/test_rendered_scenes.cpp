@@ -87,7 +87,9 @@ TEST (RenderedScenes, whatIsAskedForComesFirst)
         without[kind] += rank.without;
         with[kind] += rank.with;
         if (kinds[kind] == AskedFor::map)
+        {
           EXPECT_EQ (rank.with, 1) << "seed " << seed;
+        }
       }
   }
   // Half of what a rank could be better by, at least.

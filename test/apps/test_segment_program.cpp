@@ -148,6 +148,8 @@ TEST_F (SegmentProgram, asksForWhatItIsTold)
   const ScenePrediction prediction = readResults (folder_ / "out/scene", 320, 240);
   ASSERT_FALSE (prediction.segments.empty ());
   EXPECT_GE (prediction.segments.front ().column, 160);
+  const Json segments = Json::parse (test::readText (folder_ / "out/scene/segments.json"))["segments"];
+  EXPECT_GT (segments.front ()["attention_point"]["weight"], segments.back ()["attention_point"]["weight"]);
 
   EXPECT_EQ (run ("scene.pcd -output_dir plain").exit_code, 0);
   EXPECT_FALSE (Json::parse (test::readText (folder_ / "plain/scene/summary.json")).contains ("prior"));

@@ -98,7 +98,7 @@ TEST (PriorWeights, OfABoxAreInTheFrameOfTheCloud)
   prior.box = Eigen::AlignedBox3f (Eigen::Vector3f (0.15f, -1.0f, 0.9f), Eigen::Vector3f (0.25f, 1.0f, 1.1f));
   EXPECT_EQ (firstRow (Scene ().weights (prior)), (Row{0.01f, 0.01f, 1.0f, 0.01f}));
   Eigen::Isometry3f pose = Eigen::Isometry3f::Identity ();
-  pose.translation ().x () = 0.15f;
+  pose.translation ().x () = 0.1f;
   EXPECT_EQ (firstRow (Scene ().weights (prior, pose)), (Row{0.5f, 0.5f, 0.01f, 0.01f}));
 }
 
