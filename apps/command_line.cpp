@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <sstream>
 
 namespace po = boost::program_options;
 
@@ -10,10 +11,35 @@ namespace pcl_attention
 {
 
 CommandLine::CommandLine (std::string usage, std::string description)
-: usage_ (std::move (usage)), description_ (std::move (description)), flags_ ("Flags", 120, 70)
+: usage_ (std::move (usage)), description_ (std::move (description))
 {
   program_ = usage_.substr (0, usage_.find (' '));
-  flags_.add_options () ("help,h", "print this help and exit");
+  addOptions () ("help,h", "print this help and exit");
+}
+
+po::options_description_easy_init
+CommandLine::addOptions (const std::string& heading)
+{
+  if (groups_.empty () || groups_.back ().first != heading)
+    groups_.emplace_back (heading, std::make_shared<po::options_description> (heading, 120, 70));
+  return (groups_.back ().second->add_options ());
+}
+
+void
+CommandLine::printHelp () const
+{
+  po::options_description flags ("", 120, 70);
+  for (const auto& group : groups_)
+    flags.add (*group.second);
+  std::ostringstream stream;
+  stream << flags;
+  std::string text = stream.str ();
+  // Boost writes two dashes whatever the style; with the same number of characters the columns stay as they are.
+  for (std::size_t at = 0; (at = text.find ("\n  --", at)) != std::string::npos;)
+    text.replace (at, 5, "\n   -");
+  const std::string help = "  -h [ --help ]";
+  text.replace (text.find (help), help.size (), "   -h or -help ");
+  std::cout << "Usage: " << usage_ << "\n\n" << description_ << "\n" << text;
 }
 
 void
@@ -21,7 +47,8 @@ CommandLine::parse (int argc, char** argv)
 {
   namespace style = po::command_line_style;
   po::options_description all;
-  all.add (flags_);
+  for (const auto& group : groups_)
+    all.add (*group.second);
   all.add_options () ("positional-arguments", po::value<std::vector<std::string>> (&positional_), "");
   po::positional_options_description positional;
   positional.add ("positional-arguments", -1);
@@ -35,8 +62,8 @@ CommandLine::parse (int argc, char** argv)
     po::store (parser.run (), values_);
     if (values_.count ("help"))
     {
-      std::cout << "Usage: " << usage_ << "\n\n" << description_ << "\n\n" << flags_;
-      std::exit (EXIT_SUCCESS);
+      printHelp ();
+      std::exit (exitCode (program_, EXIT_SUCCESS));
     }
     po::notify (values_);
   }
@@ -51,6 +78,15 @@ CommandLine::fail (const std::string& message) const
 {
   std::cerr << program_ << ": " << message << " (" << program_ << " -h lists the flags)" << std::endl;
   std::exit (2);
+}
+
+int
+exitCode (const std::string& program, int code)
+{
+  if (std::cout.flush ())
+    return (code);
+  std::cerr << program << ": the standard output cannot be written, is the disk full?" << std::endl;
+  return (EXIT_FAILURE);
 }
 
 } // namespace pcl_attention

@@ -3,7 +3,9 @@
 
 #include <boost/program_options.hpp>
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl_attention
@@ -18,9 +20,10 @@ public:
     * \param[in] description what the program does, printed by -h */
   CommandLine (std::string usage, std::string description);
 
-  /** \brief Where the program adds its flags; `-h`/`-help` is already there. */
+  /** \brief Where the program adds its flags; `-h`/`-help` is already there.
+    * \param[in] heading of a group of flags in the help; those of the same heading in a row are one group */
   boost::program_options::options_description_easy_init
-  addOptions () { return (flags_.add_options ()); }
+  addOptions (const std::string& heading = "Flags");
 
   /** \brief Parse; prints the help and exits with 0 for -h, prints one line to stderr and exits with 2 on a bad command line. */
   void
@@ -41,10 +44,18 @@ public:
   fail (const std::string& message) const;
 
 private:
+  void
+  printHelp () const;
+
   std::string program_, usage_, description_;
-  boost::program_options::options_description flags_;
+  std::vector<std::pair<std::string, std::shared_ptr<boost::program_options::options_description>>> groups_; /**< by heading */
   boost::program_options::variables_map values_;
   std::vector<std::string> positional_;
 };
+
+/** \brief Exit code of a program whose work ended with this one: 1, after one line on stderr, when what it printed could not be
+  * written. */
+int
+exitCode (const std::string& program, int code);
 
 } // namespace pcl_attention

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pcl_attention_evaluate: segment labelled scenes and score the result, or score anyone's results against labelled scenes.
 #include "command_line.h"
+#include "evaluation/asked_for.h"
 #include "evaluation/labelled_scene.h"
 #include "evaluation/metrics.h"
 #include "evaluation/prediction_of_segments.h"
@@ -64,6 +65,32 @@ groundTruthKinds (const CommandLine& command_line)
   return {GroundTruthKind::objects, GroundTruthKind::parts};
 }
 
+std::string
+askedForChoices ()
+{
+  std::string text;
+  for (const std::string& name : askedForNames ())
+    text += name + ", ";
+  return (text + "or all");
+}
+
+/** \brief The kinds of prior to evaluate; none without the flag. */
+std::vector<AskedFor>
+askedForKinds (const CommandLine& command_line)
+{
+  std::vector<AskedFor> kinds;
+  if (!command_line.has ("asked_for"))
+    return (kinds);
+  const std::string& asked = command_line.get<std::string> ("asked_for");
+  const std::vector<std::string>& names = askedForNames ();
+  for (std::size_t kind = 0; kind < names.size (); ++kind)
+    if (asked == "all" || asked == names[kind])
+      kinds.push_back (static_cast<AskedFor> (kind));
+  if (kinds.empty ())
+    command_line.fail ("-asked_for is " + askedForChoices () + ", not \"" + asked + "\"");
+  return (kinds);
+}
+
 /** \brief Progress on stderr, for more than one scene: on a terminal one line that is overwritten, else a line each. */
 class Progress
 {
@@ -113,6 +140,23 @@ scoreScenes (const std::vector<std::string>& paths, const std::vector<GroundTrut
   return (scores);
 }
 
+/** \brief Ask for every object of every scene in turn, by every kind of prior. */
+void
+scoreAskedFor (const std::vector<std::string>& paths, const std::vector<AskedFor>& kinds,
+               const AttentionParameters& parameters, unsigned int threads)
+{
+  std::vector<std::vector<AskedForRanks>> ranks (kinds.size ());
+  Progress progress (paths.size ());
+  for (std::size_t i = 0; i < paths.size (); ++i)
+  {
+    progress.show (i + 1, fs::path (paths[i]).stem ().string ());
+    const auto of_scene = rankAskedFor (loadLabelledScene (paths[i]), kinds, parameters, threads);
+    for (std::size_t kind = 0; kind < kinds.size (); ++kind)
+      ranks[kind].insert (ranks[kind].end (), of_scene[kind].begin (), of_scene[kind].end ());
+  }
+  printAskedFor (std::cout, kinds, ranks);
+}
+
 void
 report (const CommandLine& command_line, const std::vector<GroundTruthKind>& kinds,
         const std::vector<SceneScore>& scores)
@@ -155,6 +199,8 @@ main (int argc, char** argv)
     ("results", po::value<std::string> (), "folder with results to score instead of our own")
     ("threads", po::value<int> ()->default_value (0), "number of threads, 0 for all processors; does not change the results")
     ("ground_truth", po::value<std::string> ()->default_value ("both"), "objects, parts or both")
+    ("asked_for", po::value<std::string> (), ("instead, ask for every object by " + askedForChoices () +
+                                             ": mean rank of the asked-for object").c_str ())
     ("csv", po::value<std::string> (), "file to write with one row an object")
     ("summary_csv", po::value<std::string> (), "file to write with all figures, one row a ground truth and category");
   // clang-format on
@@ -165,20 +211,27 @@ main (int argc, char** argv)
   if (command_line.get<int> ("threads") < 0)
     command_line.fail ("-threads is " + std::to_string (command_line.get<int> ("threads")) + ", but must be 0 or more");
   const AttentionParameters parameters = parametersFromFlags (command_line).values;
+  const auto threads = static_cast<unsigned int> (command_line.get<int> ("threads"));
   const std::vector<GroundTruthKind> kinds = groundTruthKinds (command_line);
+  const std::vector<AskedFor> asked_for = askedForKinds (command_line);
+  if (!asked_for.empty () && command_line.has ("results"))
+    command_line.fail ("-asked_for is about our own segments, not about -results");
 
   try
   {
-    const Predictor predict =
-        command_line.has ("results")
-            ? storedResults (command_line.get<std::string> ("results"))
-            : ownSegments (parameters, static_cast<unsigned int> (command_line.get<int> ("threads")));
-    report (command_line, kinds, scoreScenes (listScenes (command_line.positional ()), kinds, predict));
+    const std::vector<std::string> paths = listScenes (command_line.positional ());
+    if (!asked_for.empty ())
+      scoreAskedFor (paths, asked_for, parameters, threads);
+    else
+      report (command_line, kinds,
+              scoreScenes (paths, kinds,
+                           command_line.has ("results") ? storedResults (command_line.get<std::string> ("results"))
+                                                        : ownSegments (parameters, threads)));
   }
   catch (const std::exception& error)
   {
     std::cerr << "pcl_attention_evaluate: " << error.what () << std::endl;
     return (EXIT_FAILURE);
   }
-  return (EXIT_SUCCESS);
+  return (exitCode ("pcl_attention_evaluate", EXIT_SUCCESS));
 }

@@ -124,5 +124,5 @@ main (int argc, char** argv)
     std::cerr << "pcl_attention_make_scene: " << error.what () << std::endl;
     return (1);
   }
-  return (0);
+  return (pcl_attention::exitCode ("pcl_attention_make_scene", EXIT_SUCCESS));
 }

@@ -18,11 +18,11 @@ joinChoices (const std::vector<std::string>& choices)
   return (text);
 }
 
-/** \brief E.g. "patches: of a point from the patch's plane; 1e-05 to 1 m, default 0.008; paper IV-A". */
+/** \brief E.g. "of a point from the patch's plane; 1e-05 to 1 m, default 0.008; paper IV-A". */
 std::string
 describe (const ParameterDescription& row)
 {
-  std::string text = row.stage + ": " + row.help + "; ";
+  std::string text = row.help + "; ";
   if (row.choices.empty ())
     text += numberText (row.minimum) + " to " + numberText (row.maximum) + (row.unit.empty () ? "" : " " + row.unit);
   else
@@ -37,7 +37,7 @@ void
 addParameterFlags (CommandLine& command_line)
 {
   namespace po = boost::program_options;
-  auto add = command_line.addOptions ();
+  auto add = command_line.addOptions ("Parameters");
   add ("preset", po::value<std::string> (),
        (joinChoices (presetNames ()) + ": what all parameters start from").c_str ());
   add ("parameters", po::value<std::string> (),
@@ -45,7 +45,7 @@ addParameterFlags (CommandLine& command_line)
   add ("parts", "visible pieces instead of whole objects");
   add ("all_points", "also segment attention points that lie in an earlier segment");
   for (const ParameterDescription& row : parameterTable ())
-    add (row.name.c_str (), po::value<std::string> (), describe (row).c_str ());
+    command_line.addOptions ("Stage " + row.stage) (row.name.c_str (), po::value<std::string> (), describe (row).c_str ());
 }
 
 NamedParameters

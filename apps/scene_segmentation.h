@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "prior_flags.h"
 #include "scene_io.h"
 #include <pcl_attention/core/parameters.h>
 
@@ -17,11 +18,14 @@ struct SceneSegments
   StageTimes times;
   std::size_t extracted_points{0}; /**< attention points of the saliency map, before any is skipped */
   std::size_t patches{0};
+  NamedPrior prior; /**< what was asked for */
 };
 
 /** \brief Run pcl::AttentionSegmentation; without colour on points without colour.
  * \param[in] threads 0: all processors
+ * \param[in] prior what is asked for
  * \throws std::runtime_error that names the scene */
-SceneSegments segmentScene (const Scene& scene, const AttentionParameters& parameters, unsigned int threads);
+SceneSegments segmentScene (const Scene& scene, const AttentionParameters& parameters, unsigned int threads,
+                            const NamedPrior& prior = {});
 
 } // namespace pcl_attention

@@ -3,6 +3,7 @@
 #include "evaluation/labelled_scene.h"
 #include "output_folder.h"
 #include "parameter_flags.h"
+#include "prior_flags.h"
 #include "scene_io.h"
 #include "scene_segmentation.h"
 #include "segment_writer.h"
@@ -24,6 +25,7 @@ struct Settings
 {
   fs::path output_folder;
   NamedParameters parameters;
+  NamedPrior prior;
   int threads{0};
   int image_width{0};
 };
@@ -50,7 +52,7 @@ processScene (const std::string& path, const Settings& settings, bool& no_color_
   printNotes (scene, no_color_said);
   OutputFolder folder (settings.output_folder, scene.name);
   const SceneSegments result =
-      segmentScene (scene, settings.parameters.values, static_cast<unsigned int> (settings.threads));
+      segmentScene (scene, settings.parameters.values, static_cast<unsigned int> (settings.threads), settings.prior);
   writeSceneSegments (scene, result, settings.parameters, folder);
   folder.commit ();
   const std::size_t objects = result.segments.size ();
@@ -113,11 +115,13 @@ main (int argc, char** argv)
       "number of threads, 0 for all processors; does not change the results") (
       "image_width", po::value<int> ()->default_value (0),
       "columns of an image that a PCD file holds as one row, in pixels; 0: such a file is an error");
+  addPriorFlags (command_line);
   addParameterFlags (command_line);
   command_line.parse (argc, argv);
 
   Settings settings;
   settings.parameters = parametersFromFlags (command_line);
+  settings.prior = priorFromFlags (command_line);
   settings.threads = command_line.get<int> ("threads");
   settings.image_width = command_line.get<int> ("image_width");
   if (settings.threads < 0)
@@ -134,7 +138,7 @@ main (int argc, char** argv)
   {
     const std::vector<std::string> paths = listScenes (command_line.positional ());
     OutputFolder::prepareParent (settings.output_folder);
-    return (processScenes (paths, settings) == 0 ? EXIT_SUCCESS : EXIT_FAILURE);
+    return (exitCode (program, processScenes (paths, settings) == 0 ? EXIT_SUCCESS : EXIT_FAILURE));
   }
   catch (const std::exception& error)
   {

@@ -47,7 +47,8 @@ toJson (const AttentionPoint& point)
                {"row", point.row},
                {"kind", toString (point.kind)},
                {"saliency", toJson (point.saliency)},
-               {"point_saliency", toJson (point.point_saliency)}});
+               {"point_saliency", toJson (point.point_saliency)},
+               {"weight", toJson (point.weight)}});
 }
 
 Json
@@ -149,7 +150,7 @@ std::string
 summaryJson (const Scene& scene, const SceneSegments& result, const NamedParameters& parameters)
 {
   const StageTimes& times = result.times;
-  const Json json{{"version", PCL_ATTENTION_VERSION},
+  Json json{{"version", PCL_ATTENTION_VERSION},
                   {"parameters", parametersToJson (parameters)},
                   {"milliseconds",
                    {{"normals", rounded (times.normals)},
@@ -166,6 +167,9 @@ summaryJson (const Scene& scene, const SceneSegments& result, const NamedParamet
                     {"supporting_planes", result.supporting_planes.size ()},
                     {"points", scene.cloud->size ()},
                     {"valid_points", scene.valid_points}}}};
+  const Json prior = priorToJson (result.prior);
+  if (!prior.empty ())
+    json["prior"] = prior;
   return (json.dump (2) + '\n');
 }
 

@@ -2,6 +2,7 @@
 #include "evaluation/results.h"
 
 #include "evaluation/pcd_file.h"
+#include "evaluation/png_file.h"
 
 #include <nlohmann/json.hpp>
 #include <pcl/conversions.h>
@@ -13,7 +14,6 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <png.h>
 #include <sstream>
 #include <stdexcept>
 
@@ -112,23 +112,7 @@ readMask (const fs::path& file, int width, int height)
   if (!fs::is_regular_file (file))
     fail (file, "missing");
 
-  // libpng itself: VTK 9.1's reader crashes on a file that is cut short
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file (&image, file.c_str ()) == 0)
-    fail (file, std::string ("not a readable PNG file: ") + image.message);
-  const bool is_grey = image.format == PNG_FORMAT_GRAY;
-  const int image_width = static_cast<int> (image.width), image_height = static_cast<int> (image.height);
-  if (!is_grey || image_width != width || image_height != height)
-  {
-    png_image_free (&image);
-    fail (file, is_grey ? sizeText (image_width, image_height) + " pixels, the scene has " + sizeText (width, height)
-                        : "not an 8-bit grey image");
-  }
-  std::vector<std::uint8_t> values (PNG_IMAGE_SIZE (image));
-  if (png_image_finish_read (&image, nullptr, values.data (), 0, nullptr) == 0)
-    fail (file, std::string ("not a readable PNG file: ") + image.message);
-
+  const Image<std::uint8_t> values = readGreyPng (file.string (), width, height);
   pcl::Indices mask;
   for (std::size_t pixel = 0; pixel < values.size (); ++pixel)
   {

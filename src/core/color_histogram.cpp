@@ -14,13 +14,14 @@ colorBin (std::uint8_t red, std::uint8_t green, std::uint8_t blue)
   float hue = 0.0f; // in sixths of the circle
   if (chroma > 0)
   {
-    const float scale = 1.0f / static_cast<float> (chroma);
+    // Divided: the product with 1 / chroma may fall short of a bin's lower end.
+    const auto divisor = static_cast<float> (chroma);
     if (largest == red)
-      hue = static_cast<float> (green - blue) * scale;
+      hue = static_cast<float> (green - blue) / divisor;
     else if (largest == green)
-      hue = 2.0f + static_cast<float> (blue - red) * scale;
+      hue = 2.0f + static_cast<float> (blue - red) / divisor;
     else
-      hue = 4.0f + static_cast<float> (red - green) * scale;
+      hue = 4.0f + static_cast<float> (red - green) / divisor;
     if (hue < 0.0f)
       hue += 6.0f;
   }

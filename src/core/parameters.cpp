@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_attention/core/parameters.h>
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <locale>
@@ -12,14 +14,16 @@ namespace pcl_attention
 namespace
 {
 
+/** \brief The shortest text that reads back as the same parameter. */
 std::string
 formatNumber (double value)
 {
-  std::ostringstream text;
-  text.imbue (std::locale::classic ());
-  text.precision (7);
-  text << value;
-  return (text.str ());
+  std::array<char, 64> text;
+  char* const end = text.data () + text.size ();
+  const bool whole = std::abs (value) < 1e15 && value == std::floor (value);
+  const auto result = whole ? std::to_chars (text.data (), end, static_cast<long long> (value))
+                            : std::to_chars (text.data (), end, static_cast<float> (value), std::chars_format::general);
+  return (std::string (text.data (), result.ptr));
 }
 
 /** \brief Makes rows that read and write one field of one stage. */

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_attention/core/patch_graph.h>
+#include <pcl_attention/core/skeleton.h>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,7 @@ public:
   void
   scan (int column, int row, int step_column, int step_row)
   {
-    const int step = step_row * labels_.width + step_column;
+    const Pixel step{step_column, step_row};
     int last = -1, gap = 0; // index of the last labelled pixel, pixels without a label since then
     for (; labels_.contains (column, row); column += step_column, row += step_row)
     {
@@ -67,18 +68,16 @@ private:
   /** \brief The pixel sample_distance steps inside the patch, nearer if the patch ends before.
     * \param[out] reached how many steps */
   int
-  inside (int index, int step, int& reached) const
+  inside (int index, const Pixel& step, int& reached) const
   {
     const int label = labels_[index];
     reached = 0;
-    const int column_step = ((step % labels_.width) + labels_.width + 1) % labels_.width - 1;
-    const int row_step = (step - column_step) / labels_.width;
     int column = index % labels_.width, row = index / labels_.width;
-    while (reached < parameters_.sample_distance && labels_.contains (column + column_step, row + row_step) &&
-           labels_ (column + column_step, row + row_step) == label)
+    while (reached < parameters_.sample_distance && labels_.contains (column + step.column, row + step.row) &&
+           labels_ (column + step.column, row + step.row) == label)
     {
-      column += column_step;
-      row += row_step;
+      column += step.column;
+      row += step.row;
       ++reached;
     }
     return (row * labels_.width + column);
@@ -99,12 +98,12 @@ private:
   }
 
   void
-  addPair (int first, int second, int step, int distance_in_pixels)
+  addPair (int first, int second, Pixel step, int distance_in_pixels)
   {
     if (labels_[first] > labels_[second])
     {
       std::swap (first, second);
-      step = -step;
+      step = {-step.column, -step.row};
     }
     PatchBorder& border = graph_.borders[{labels_[first], labels_[second]}];
     ++border.pairs;
@@ -122,7 +121,8 @@ private:
     // Normals at the very border are mixed from both sides; one of them may be, on a strip along an edge.
     constexpr int deep = 2;
     int reached_first, reached_second;
-    const int inside_first = inside (first, -step, reached_first), inside_second = inside (second, step, reached_second);
+    const int inside_first = inside (first, {-step.column, -step.row}, reached_first);
+    const int inside_second = inside (second, step, reached_second);
     if (std::max (reached_first, reached_second) < deep || !normals_.valid[inside_first] || !normals_.valid[inside_second])
       return;
     const Eigen::Vector3f direction = (point (inside_second) - point (inside_first)).normalized ();

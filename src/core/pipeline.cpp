@@ -126,20 +126,27 @@ AttentionPipeline::start (OrganizedCloud&& cloud, const Eigen::Isometry3f& senso
   cloud_ = std::move (cloud);
   normals_.reset ();
   saliency_.reset ();
-  attention_points_.reset ();
   patches_.reset ();
   patch_graph_.reset ();
   supporting_planes_.reset ();
   support_patches_.clear ();
   over_support_.clear ();
+  times_ = StageTimes ();
+  setPrior (AttentionPrior ());
+}
+
+void
+AttentionPipeline::setPrior (AttentionPrior&& prior)
+{
+  prior_ = std::move (prior);
+  prior_weights_ = Image<float> ();
+  attention_points_.reset ();
   queue_.clear ();
   next_point_ = 0;
-  preferred_points_ = 0;
   waiting_.clear ();
   queue_filled_ = false;
   claimed_.assign (cloud_.size (), 0);
   segments_found_ = 0;
-  times_ = StageTimes ();
 }
 
 void
@@ -192,15 +199,33 @@ AttentionPipeline::saliency ()
   return (*saliency_);
 }
 
+const Image<float>&
+AttentionPipeline::priorWeights ()
+{
+  if (!prior_.empty () && prior_weights_.data.empty ())
+  {
+    preparePatches ();
+    const StageTimer timer (times_.attention_points);
+    prior_weights_ = pcl_attention::priorWeights (cloud_, *patches_, groupPatches (*patches_, *patch_graph_, support_patches_),
+                                                  sensor_pose_, prior_);
+  }
+  return (prior_weights_);
+}
+
 const AttentionPoints&
 AttentionPipeline::attentionPoints ()
 {
   if (!attention_points_)
   {
     saliency ();
+    priorWeights ();
     const StageTimer timer (times_.attention_points);
     attention_points_.emplace ();
-    extractAttentionPoints (saliency_->saliency, cloud_.valid, parameters_.attention_points, *attention_points_);
+    if (!prior_.empty ())
+      extractAttentionPoints (saliency_->saliency, prior_weights_, cloud_.valid, parameters_.attention_points,
+                              *attention_points_);
+    else
+      extractAttentionPoints (saliency_->saliency, cloud_.valid, parameters_.attention_points, *attention_points_);
   }
   return (*attention_points_);
 }
@@ -273,17 +298,15 @@ AttentionPipeline::fillQueue ()
 {
   preparePatches ();
   queue_ = attentionPoints ().points;
-  const bool ordered = parameters_.segmentation.prefer_supported && !over_support_.empty ();
-  auto rest = queue_.end ();
-  if (ordered)
-    rest = std::stable_partition (queue_.begin (), queue_.end (),
-                                  [this] (const AttentionPoint& point) { return (over_support_[indexOf (point)]); });
+  const auto rest = std::stable_partition (queue_.begin (), queue_.end (),
+                                           [this] (const AttentionPoint& point) { return (isPreferred (point)); });
   if (parameters_.segmentation.coverage)
   {
     const std::vector<AttentionPoint> points = coveragePoints ();
-    rest = queue_.insert (rest, points.begin (), points.end ()) + static_cast<std::ptrdiff_t> (points.size ());
+    queue_.insert (rest, points.begin (), points.end ());
   }
-  preferred_points_ = static_cast<std::size_t> (rest - queue_.begin ());
+  // What is asked for comes first even where it is not salient at all.
+  sortByWeight (queue_);
 }
 
 std::vector<AttentionPoint>
@@ -312,8 +335,9 @@ AttentionPipeline::coveragePoints () const
     AttentionPoint point;
     point.column = center % cloud_.width;
     point.row = center / cloud_.width;
-    point.point_saliency = saliency_ ? saliency_->saliency[center] : 0.0f;
     point.kind = AttentionPointKind::coverage;
+    if (!prior_weights_.data.empty ())
+      point.weight = prior_weights_[center];
     points.push_back (point);
   }
   return (points);
@@ -326,6 +350,13 @@ AttentionPipeline::isInhibited (const AttentionPoint& point) const
           claimed_[indexOf (point)]);
 }
 
+bool
+AttentionPipeline::isPreferred (const AttentionPoint& point) const
+{
+  return (point.kind == AttentionPointKind::coverage || !parameters_.segmentation.prefer_supported ||
+          over_support_.empty () || over_support_[indexOf (point)]);
+}
+
 AttentionPipeline::Priority
 AttentionPipeline::priorityOf (std::size_t place, float size_weight) const
 {
@@ -333,7 +364,7 @@ AttentionPipeline::priorityOf (std::size_t place, float size_weight) const
   constexpr float least = 0.1f;
   const AttentionPoint& point = queue_[place];
   const float saliency = point.kind == AttentionPointKind::user ? std::numeric_limits<float>::infinity () : point.saliency;
-  return {place < preferred_points_, (least + saliency) * size_weight};
+  return {-weightStep (point.weight), isPreferred (point), (least + saliency) * size_weight};
 }
 
 float
@@ -469,7 +500,7 @@ AttentionPipeline::moveInside (AttentionSegment& segment) const
   point.column += best.column - around;
   point.row += best.row - around;
   if (saliency_)
-    point.point_saliency = saliency_->saliency (point.column, point.row);
+    point.point_saliency = saliency_->saliency (point.column, point.row) * point.weight;
 }
 
 void

@@ -181,14 +181,23 @@ thin (const Image<std::uint8_t>& mask)
     const bool second = peel (skeleton, candidates, false);
     changed = first || second;
   }
-  // What is left may be two pixels wide at corners; each goes that the 8-connected line does not need.
-  for (const Pixel& pixel : candidates)
+  // What is left may be two pixels wide at corners; each goes that the 8-connected line does not need. On ragged shapes one that goes
+  // makes another one needless.
+  do
   {
-    const auto n = neighborhood (skeleton, pixel.column, pixel.row);
-    const int count = static_cast<int> (std::count (n.begin (), n.end (), true));
-    if (count >= 2 && neighborsStayConnected (n) && (n[0] + n[2] + n[4] + n[6]) >= 2)
-      skeleton (pixel.column, pixel.row) = 0;
-  }
+    changed = false;
+    for (const Pixel& pixel : candidates)
+    {
+      const auto n = neighborhood (skeleton, pixel.column, pixel.row);
+      const int count = static_cast<int> (std::count (n.begin (), n.end (), true));
+      if (skeleton (pixel.column, pixel.row) && count >= 2 && neighborsStayConnected (n) &&
+          (n[0] + n[2] + n[4] + n[6]) >= 2)
+      {
+        skeleton (pixel.column, pixel.row) = 0;
+        changed = true;
+      }
+    }
+  } while (changed);
   return (skeleton);
 }
 

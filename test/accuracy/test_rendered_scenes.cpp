@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the default preset makes of rendered scenes, whose labels are exact.
+#include "evaluation/asked_for.h"
 #include "scene_renderer.h"
 #include "score.h"
 
@@ -68,6 +69,32 @@ TEST (RenderedScenes, objectsThatStandAloneAreFoundWhole)
 {
   for (std::uint64_t seed = 1; seed <= 8; ++seed)
     expectObjects (SceneKind::separate, seed);
+}
+
+TEST (RenderedScenes, whatIsAskedForComesFirst)
+{
+  const std::vector<AskedFor> kinds{AskedFor::map, AskedFor::region, AskedFor::exemplar, AskedFor::color, AskedFor::distance};
+  std::vector<int> without (kinds.size (), 0), with (kinds.size (), 0);
+  int objects = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+  {
+    const auto ranks = rankAskedFor ({"separate", "separate", renderScene (makeScene (SceneKind::separate, seed), seed)}, kinds,
+                                     AttentionParameters (), 0);
+    objects += static_cast<int> (ranks.front ().size ());
+    for (std::size_t kind = 0; kind < kinds.size (); ++kind)
+      for (const AskedForRanks& rank : ranks[kind])
+      {
+        without[kind] += rank.without;
+        with[kind] += rank.with;
+        if (kinds[kind] == AskedFor::map)
+        {
+          EXPECT_EQ (rank.with, 1) << "seed " << seed;
+        }
+      }
+  }
+  // Half of what a rank could be better by, at least.
+  for (std::size_t kind = 0; kind < kinds.size (); ++kind)
+    EXPECT_LT (with[kind] - objects, (without[kind] - objects) / 2) << askedForNames ()[static_cast<std::size_t> (kinds[kind])];
 }
 
 TEST (RenderedScenes, emptyScenesHaveNoSegmentAtAnyNoise)

@@ -2,6 +2,7 @@
 // pcl_attention_segment as its users run it.
 #include "evaluation/results.h"
 #include "files.h"
+#include "png_image.h"
 #include "scene_renderer.h"
 #include "segment_writer.h"
 
@@ -126,6 +127,76 @@ TEST_F (SegmentProgram, writesTheContractsFilesConsistently)
     EXPECT_EQ (segments["segments"][i]["points"], segment.mask.size ());
     for (const auto index : segment.mask)
       ASSERT_TRUE (pcl::isFinite (cloud[index])) << "a segment on a hole";
+  }
+}
+
+TEST_F (SegmentProgram, asksForWhatItIsTold)
+{
+  save ("scene.pcd", rendered ());
+  Image<std::uint8_t> map (320, 240, 0);
+  for (int row = 0; row < 240; ++row)
+    for (int column = 160; column < 320; ++column)
+      map (column, row) = 255;
+  test::writeText (folder_ / "map.png", encodePng (map));
+  const Outcome outcome = run ("scene.pcd -output_dir out -prior_map map.png -prior_region 160,0,160,240 -prior_color 200,30,30 "
+                               "-prior_size 0.05,0.3 -prior_distance 0.2,3 -prior_box -5,-5,0,5,5,5");
+  EXPECT_EQ (outcome.exit_code, 0) << outcome.errors;
+  const Json summary = Json::parse (test::readText (folder_ / "out/scene/summary.json"));
+  EXPECT_EQ (summary["prior"], Json::parse (R"({"map": "map.png", "region": [160, 0, 160, 240], "color": [200, 30, 30],
+                                                "size": [0.05, 0.3], "distance": [0.2, 3.0],
+                                                "box": [-5.0, -5.0, 0.0, 5.0, 5.0, 5.0]})"));
+  const ScenePrediction prediction = readResults (folder_ / "out/scene", 320, 240);
+  ASSERT_FALSE (prediction.segments.empty ());
+  EXPECT_GE (prediction.segments.front ().column, 160);
+  const Json segments = Json::parse (test::readText (folder_ / "out/scene/segments.json"))["segments"];
+  EXPECT_GT (segments.front ()["attention_point"]["weight"], segments.back ()["attention_point"]["weight"]);
+
+  EXPECT_EQ (run ("scene.pcd -output_dir plain").exit_code, 0);
+  EXPECT_FALSE (Json::parse (test::readText (folder_ / "plain/scene/summary.json")).contains ("prior"));
+  EXPECT_EQ (readResults (folder_ / "plain/scene", 320, 240).segments.size (), prediction.segments.size ());
+  EXPECT_EQ (run ("scene.pcd -output_dir red -prior_color red").exit_code, 0);
+}
+
+TEST_F (SegmentProgram, refusesWhatCannotBeAskedFor)
+{
+  save ("scene.pcd", rendered ());
+  pcl::PointCloud<pcl::PointXYZ> colorless;
+  pcl::copyPointCloud (rendered (), colorless);
+  test::writeText (folder_ / "small.png", encodePng (Image<std::uint8_t> (10, 10, 255)));
+  for (const char* flag : {"-prior_map none.png", "-prior_region 1,2,3", "-prior_region 1,2,3,4,5", "-prior_region 1,2,0,4",
+                           "-prior_region a,b,c,d", "-prior_color pinkish", "-prior_color 1,2,256", "-prior_size 0.3,0.2",
+                           "-prior_size 0.3", "-prior_distance -1,2", "-prior_distance 0,inf", "-prior_box 1,1,1,0,2,2"})
+    expectError (std::string ("scene.pcd -output_dir out ") + flag, 2, std::string (flag).substr (0, 10));
+  expectError ("scene.pcd -output_dir out -prior_map small.png", 1, "small.png: 10x10 pixels, the scene has 320x240");
+  expectError ("scene.pcd -output_dir out -prior_map scene.pcd", 1, "not a readable PNG file");
+  expectError ("scene.pcd -output_dir out -prior_region 320,0,5,5", 1, "the region of the prior");
+  save ("colorless.pcd", colorless);
+  const Outcome outcome = run ("colorless.pcd -output_dir out -prior_color red");
+  EXPECT_EQ (outcome.exit_code, 1);
+  EXPECT_NE (outcome.errors.find ("the prior asks for a colour, but the cloud has none"), std::string::npos);
+}
+
+TEST_F (SegmentProgram, printsItsHelpWithTheFlagsAsTheyAreWritten)
+{
+  const Outcome outcome = run ("-h");
+  EXPECT_EQ (outcome.exit_code, 0);
+  EXPECT_EQ (outcome.output.find ("--"), std::string::npos) << outcome.output;
+  for (const ParameterDescription& row : parameterTable ())
+  {
+    EXPECT_NE (outcome.output.find ("\n   -" + row.name + " arg"), std::string::npos) << row.name;
+    EXPECT_NE (outcome.output.find ("\nStage " + row.stage + ":\n"), std::string::npos) << row.stage;
+  }
+}
+
+TEST_F (SegmentProgram, failsWhereItsOutputCannotBeWritten)
+{
+  save ("scene.pcd", rendered ());
+  for (const char* arguments : {"-h", "scene.pcd -output_dir out"})
+  {
+    const std::string command = "cd '" + (folder_ / "") + "' && '" PCL_ATTENTION_SEGMENT "' " + arguments +
+                                " > /dev/full 2> stderr.txt";
+    EXPECT_EQ (WEXITSTATUS (std::system (command.c_str ())), 1) << arguments;
+    EXPECT_NE (test::readText (folder_ / "stderr.txt").find ("standard output cannot be written"), std::string::npos);
   }
 }
 

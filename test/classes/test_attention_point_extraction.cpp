@@ -239,3 +239,20 @@ TEST_F (PointExtraction, SetsEveryParameter)
   EXPECT_EQ (extraction.getJunctionMergeRadius (), 5.0f);
   EXPECT_EQ (extraction.getMinimumSkeletonLength (), 6);
 }
+
+TEST_F (PointExtraction, PutsWhatIsAskedForFirst)
+{
+  const Map::Ptr map = crossMap (100, 80, 25, 20);
+  const Map::Ptr faint = crossMap (100, 80, 75, 60, 0.05f);
+  for (std::size_t index = 0; index < map->size (); ++index)
+    (*map)[index].intensity += (*faint)[index].intensity;
+  ASSERT_EQ (extractFrom (map).size (), 1u);
+  pcl_attention::AttentionPrior prior;
+  prior.region = pcl_attention::PixelRegion{50, 40, 50, 40};
+  extraction.setAttentionPrior (prior);
+  const std::vector<pcl::AttentionPoint> points = extractFrom (map);
+  ASSERT_EQ (points.size (), 2u);
+  EXPECT_NEAR (points[0].column, 75, 1);
+  EXPECT_NEAR (points[1].column, 25, 1);
+  EXPECT_LT (points[1].weight, points[0].weight);
+}

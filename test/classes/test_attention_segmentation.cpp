@@ -360,3 +360,88 @@ TEST_F (Segmentation, NamesTheParameterThatIsOutOfRange)
   segmentation.setParameters (parameters);
   expectError ("Bad parameter: patch_maximum_distance is nan, but must be a number from 1e-05 to 1 m.");
 }
+
+TEST_F (Segmentation, IsTheSameWhereEverythingIsAskedFor)
+{
+  const std::vector<pcl::AttentionSegment> plain = segment ();
+  pcl_attention::AttentionPrior prior;
+  prior.map.assign (320, 240, 1.0f);
+  segmentation.setAttentionPrior (prior);
+  expectSame (segment (), plain);
+}
+
+TEST_F (Segmentation, GivesWhatIsAskedForFirstAndNothingLess)
+{
+  const std::vector<pcl::AttentionSegment> plain = segment ();
+  ASSERT_GE (plain.size (), 3u);
+  for (const pcl::AttentionSegment& asked : plain)
+  {
+    pcl_attention::AttentionPrior prior;
+    prior.map.assign (320, 240, 0.0f);
+    for (const pcl::index_t index : asked.indices)
+      prior.map[index] = 1.0f;
+    segmentation.setAttentionPrior (prior);
+    const std::vector<pcl::AttentionSegment> objects = segment ();
+    ASSERT_EQ (objects.size (), plain.size ());
+    EXPECT_GT (overlap (objects.front ().indices, asked.indices), 0.9) << asked.rank;
+  }
+  segmentation.setAttentionPrior ({});
+  expectSame (segment (), plain);
+}
+
+TEST_F (Segmentation, TakesAnotherPriorOnTheSameFrame)
+{
+  segment ();
+  const pcl_attention::AttentionPipeline* pipeline = segmentation.getPipeline ();
+  ASSERT_TRUE (pipeline);
+  const double normals = pipeline->times ().normals;
+  pcl_attention::AttentionPrior prior;
+  prior.region = pcl_attention::PixelRegion{160, 0, 160, 240};
+  segmentation.setAttentionPrior (prior);
+  pcl::AttentionSegment first, fresh;
+  ASSERT_TRUE (segmentation.segmentNext (first));
+  EXPECT_EQ (segmentation.getPipeline ()->times ().normals, normals) << "the frame's normals were made again";
+  pcl::AttentionSegmentation<PointT> other;
+  other.setInputCloud (sceneCloud ());
+  other.setAttentionPrior (prior);
+  ASSERT_TRUE (other.segmentNext (fresh));
+  expectSame (first, fresh);
+  EXPECT_GE (first.attention_point.column, 160);
+}
+
+TEST_F (Segmentation, RefusesAPriorThatDoesNotFit)
+{
+  pcl_attention::AttentionPrior prior;
+  prior.map.assign (10, 10, 1.0f);
+  segmentation.setAttentionPrior (prior);
+  expectError ("Bad prior: the map of the prior is 10 x 10, but the cloud is 320 x 240");
+  prior = pcl_attention::AttentionPrior ();
+  prior.distance = pcl_attention::ValueRange{2.0f, 1.0f};
+  segmentation.setAttentionPrior (prior);
+  expectError ("Bad prior: the distance of the prior");
+  segmentation.setAttentionPrior ({});
+  EXPECT_FALSE (segment ().empty ());
+
+  pcl::AttentionSegmentation<pcl::PointXYZ> colorless;
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZ>);
+  pcl::copyPointCloud (*sceneCloud (), *cloud);
+  colorless.setInputCloud (cloud);
+  prior = pcl_attention::AttentionPrior ();
+  prior.color = {255, 0, 0};
+  colorless.setAttentionPrior (prior);
+  pcl::AttentionSegment none;
+  EXPECT_TRUE (contains (errorsOf ([&] { EXPECT_FALSE (colorless.segmentNext (none)); }), "the cloud has none"));
+}
+
+TEST_F (Segmentation, KeepsTheOrderOfGivenPointsWhateverIsAskedFor)
+{
+  std::vector<pcl::AttentionPoint> points;
+  for (const pcl::AttentionSegment& object : segment ())
+    points.insert (points.begin (), object.attention_point);
+  segmentation.setAttentionPoints (points);
+  const std::vector<pcl::AttentionSegment> plain = segment ();
+  pcl_attention::AttentionPrior prior;
+  prior.region = pcl_attention::PixelRegion{160, 0, 160, 240};
+  segmentation.setAttentionPrior (prior);
+  expectSame (segment (), plain);
+}

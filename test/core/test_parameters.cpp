@@ -96,8 +96,7 @@ TEST (ParameterTable, TextIsReadBackAsItWasWritten)
       AttentionParameters written, read;
       row.set (written, row.integer ? std::floor (value) : value);
       EXPECT_EQ (row.parse (row.toString (written), read), "") << row.toString (written);
-      // Written with 7 digits.
-      EXPECT_NEAR (row.get (read), row.get (written), 1e-6 * std::abs (row.get (written))) << row.toString (written);
+      EXPECT_EQ (row.get (read), row.get (written)) << row.toString (written);
     }
     for (const std::string& choice : row.choices)
     {
@@ -106,6 +105,22 @@ TEST (ParameterTable, TextIsReadBackAsItWasWritten)
       EXPECT_EQ (row.toString (parameters), choice);
     }
   }
+}
+
+TEST (ParameterTable, EveryFloatIsReadBackExactly)
+{
+  const ParameterDescription& row = rowOf ("patch_reassign_distance");
+  AttentionParameters written, read;
+  for (float value = 0.1f; value < 0.1002f; value = std::nextafter (value, 1.0f))
+  {
+    row.set (written, value);
+    EXPECT_EQ (row.parse (row.toString (written), read), "");
+    EXPECT_EQ (row.get (read), row.get (written)) << row.toString (written);
+  }
+  EXPECT_EQ (row.parse ("0.0001", written), "");
+  EXPECT_EQ (row.toString (written), "0.0001");
+  EXPECT_EQ (rowOf ("coverage_size").parse ("10000000", written), "");
+  EXPECT_EQ (rowOf ("coverage_size").toString (written), "10000000");
 }
 
 TEST (ParameterTable, ValuesByHand)

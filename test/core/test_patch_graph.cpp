@@ -226,6 +226,30 @@ TEST (PatchGraph, ConvexityAlongTheDiagonalsIsByHand)
   EXPECT_NEAR (border.convexity_sum, sum, 1e-3);
 }
 
+TEST (PatchGraph, NarrowImagesAreSteppedThroughLikeFlatOnes)
+{
+  for (const int width : {1, 2, 3})
+  {
+    // The same points as rows and as columns.
+    const Frame lying = relief (24, width, [] (double c) { return (1.0 + 0.001 * std::abs (c - 11.5)); });
+    Frame standing = shapes::emptyFrame (width, 24);
+    Image<int> lying_labels (24, width, 1), standing_labels (width, 24, 1);
+    for (int row = 0; row < 24; ++row)
+      for (int column = 0; column < width; ++column)
+      {
+        const std::size_t source = lying.index (row, column);
+        standing.set (standing.index (column, row), lying.point (source), lying.normal (source));
+        lying_labels (row, column) = standing_labels (column, row) = row < 12 ? 1 : 2;
+      }
+    const PatchBorder expected = graphOf (lying, lying_labels, 2).border (1, 2);
+    const PatchBorder border = graphOf (standing, standing_labels, 2).border (1, 2);
+    EXPECT_GT (expected.convexity_pairs, 0);
+    EXPECT_EQ (border.pairs, expected.pairs) << width;
+    EXPECT_EQ (border.convexity_pairs, expected.convexity_pairs) << width;
+    EXPECT_NEAR (border.convexity_sum, expected.convexity_sum, 1e-9) << width;
+  }
+}
+
 TEST (PatchGraph, BordersReachOverGapsUpToTheirLimit)
 {
   PatchGraphParameters parameters;

@@ -291,6 +291,17 @@ TEST (Thinning, KeepsWhatIsThinAlready)
     EXPECT_EQ (thin (picture (rows)).data, picture (rows).data);
 }
 
+TEST (Thinning, LeavesNothingToThinOfRaggedNoise)
+{
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    SCOPED_TRACE (seed);
+    const Picture mask = randomPicture (seed, 60, 50, 0.3 + 0.015 * seed), skeleton = thin (mask);
+    expectSameRegions (mask, skeleton);
+    expectStable (skeleton);
+  }
+}
+
 TEST (Thinning, KeepsTheNumberOfRegionsOfRandomBlobs)
 {
   for (unsigned seed = 0; seed < 60; ++seed)

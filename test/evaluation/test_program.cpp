@@ -97,6 +97,18 @@ TEST_F (EvaluateProgram, missingThingsAreErrors)
   EXPECT_EQ (run ("data/first.pcd -results results -csv none/a.csv").exit_code, 1);
 }
 
+TEST_F (EvaluateProgram, asksForEveryObject)
+{
+  const Outcome result = run ("data -asked_for all");
+  EXPECT_EQ (result.exit_code, 0) << result.errors;
+  // Scenes of 8 pixels have no segments: the rank is one more than there are.
+  for (const char* kind : {"map", "region", "exemplar", "color_name", "size", "coarse_distance"})
+    EXPECT_NE (result.output.find (std::string ("\n  ") + kind + " "), std::string::npos) << result.output;
+  EXPECT_NE (result.output.find ("        2    1.000    1.000"), std::string::npos) << result.output;
+  EXPECT_EQ (run ("data -asked_for taste").exit_code, 2);
+  EXPECT_EQ (run ("data -asked_for map -results results").exit_code, 2);
+}
+
 TEST_F (EvaluateProgram, aBadCommandLineIsAnErrorOfItsOwn)
 {
   EXPECT_EQ (run ("").exit_code, 2);

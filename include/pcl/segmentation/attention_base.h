@@ -66,6 +66,17 @@ protected:
   void setAttentionPoints (const std::vector<AttentionPoint>& points);
   void clearAttentionPoints ();
 
+  /** \brief Ask for something: what matches comes first. It only re-orders, nothing is hidden. An empty prior asks for
+   * nothing in particular. On the same frame only the attention points are made again; those of the user's own keep
+   * their order whatever is asked for. */
+  void setAttentionPrior (const pcl_attention::AttentionPrior& prior);
+
+  const pcl_attention::AttentionPrior&
+  getAttentionPrior () const
+  {
+    return (prior_);
+  }
+
   /** \brief Bring patches: a label per point, of the cloud's size; 0 is no patch, every other value is a patch of its
    * own. Null goes back to extracting them (paper IV-A). As those, they are cut along the planes of the background
    * unless \ref pcl_attention::ClusteringParameters::stay_off_support is off. Segments name patches by these labels;
@@ -211,6 +222,7 @@ protected:
 
 private:
   std::string checkInput () const;
+  std::string checkPrior () const;
 
   void start ();
 
@@ -220,6 +232,8 @@ private:
   pcl::PointCloud<pcl::Intensity>::ConstPtr saliency_;
   pcl::PointCloud<pcl::Label>::ConstPtr patches_;
   std::optional<std::vector<AttentionPoint>> attention_points_;
+  pcl_attention::AttentionPrior prior_;
+  bool prior_is_new_{false}; /**< the pipeline does not know it yet */
   pcl::PointCloud<pcl::Label> patch_labels_; /**< the user's, as they were when the frame was started */
   std::vector<int> patch_names_;             /**< the user's label of patch k at [k]; empty until asked for */
   bool started_{false};

@@ -30,6 +30,9 @@ public:
   /** \brief The map, which this class cannot do without. */
   using AttentionBase<PointT>::setSaliency;
 
+  using AttentionBase<PointT>::setAttentionPrior;
+  using AttentionBase<PointT>::getAttentionPrior;
+
   void
   setParameters (const pcl_attention::AttentionPointParameters& parameters)
   {

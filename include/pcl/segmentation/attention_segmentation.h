@@ -38,6 +38,8 @@ public:
   using AttentionBase<PointT>::setInputNormals;
   using AttentionBase<PointT>::setSaliency;
   using AttentionBase<PointT>::setPatches;
+  using AttentionBase<PointT>::setAttentionPrior;
+  using AttentionBase<PointT>::getAttentionPrior;
   using AttentionBase<PointT>::setNumberOfThreads;
 
   /** \brief The user's points come first, in the given order; those that lead to an earlier segment are skipped, and

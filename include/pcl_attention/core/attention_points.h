@@ -48,6 +48,7 @@ struct AttentionPoint
   float point_saliency{0.0f}; /**< saliency at the point itself, 0..1 */
   AttentionPointKind kind{AttentionPointKind::user};
   int component{0};           /**< 1, 2, ...: index into the components; 0: none */
+  float weight{1.0f};         /**< how well it matches what is asked for, 0..1; 1 without an \ref AttentionPrior */
 };
 
 /** \brief Attention points with what they were made of. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_attention/core/attention_prior.h>
 #include <pcl_attention/core/compact_clustering.h>
 #include <pcl_attention/core/normals.h>
 #include <pcl_attention/core/saliency.h>
@@ -8,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <tuple>
 
 namespace pcl_attention
 {
@@ -79,12 +81,20 @@ public:
   void
   setAttentionPoints (AttentionPoints&& points);
 
+  /** \brief Ask for something, or with an empty prior for nothing in particular any more. \ref next starts again; of the results
+    * of the stages only the attention points are forgotten, the user's too. */
+  void
+  setPrior (AttentionPrior&& prior);
+
   const OrganizedCloud&
   cloud () const { return (cloud_); }
   const NormalImage&
   normals ();
   const SaliencyMaps&
   saliency ();
+  /** \brief See \ref pcl_attention::priorWeights; empty without a prior. */
+  const Image<float>&
+  priorWeights ();
   const AttentionPoints&
   attentionPoints ();
   /** \brief The patches that are clustered: cut along the planes of the background, unless those are not stayed off. */
@@ -123,12 +133,15 @@ private:
   coveragePoints () const;
   std::size_t
   indexOf (const AttentionPoint& point) const { return (static_cast<std::size_t> (point.row) * cloud_.width + point.column); }
+  /** \brief Whether a point stands on the supporting plane, where that counts; coverage points do. */
+  bool
+  isPreferred (const AttentionPoint& point) const;
   /** \brief Whether an earlier segment has claimed a point that is therefore skipped. */
   bool
   isInhibited (const AttentionPoint& point) const;
 
-  /** \brief What is preferred first, then by saliency. */
-  using Priority = std::pair<bool, float>;
+  /** \brief What is asked for first, then what is preferred, then by saliency. */
+  using Priority = std::tuple<float, bool, float>;
   Priority
   priorityOf (std::size_t place, float size_weight) const;
   /** \brief 0..1: a fragment that happens to be salient does not come before the objects. */
@@ -154,6 +167,8 @@ private:
   OrganizedCloud cloud_;
   std::optional<NormalImage> normals_;
   std::optional<SaliencyMaps> saliency_;
+  AttentionPrior prior_;
+  Image<float> prior_weights_; /**< empty without a prior, and until asked for */
   std::optional<AttentionPoints> attention_points_;
   std::optional<PlanarPatches> patches_;
   std::optional<PatchGraph> patch_graph_;
@@ -169,7 +184,6 @@ private:
   };
 
   std::vector<AttentionPoint> queue_; /**< in the order they are visited: the preferred points, coverage points, the others */
-  std::size_t preferred_points_{0};   /**< with the coverage points */
   std::size_t next_point_{0};
   bool queue_filled_{false};
   std::vector<Waiting> waiting_; /**< in the order of their points */

@@ -90,6 +90,14 @@ AttentionBase<PointT>::clearAttentionPoints ()
 
 template <typename PointT>
 void
+AttentionBase<PointT>::setAttentionPrior (const pcl_attention::AttentionPrior& prior)
+{
+  prior_ = prior;
+  prior_is_new_ = true;
+}
+
+template <typename PointT>
+void
 AttentionBase<PointT>::setPatches (const pcl::PointCloud<pcl::Label>::ConstPtr& patches)
 {
   patches_ = patches;
@@ -117,7 +125,17 @@ AttentionBase<PointT>::checkInput () const
   if (attention_points_)
     for (auto point = attention_points_->begin (); problem.empty () && point != attention_points_->end (); ++point)
       problem = pcl_attention::checkPoint (*point, *input_);
-  return (problem);
+  return (problem.empty () ? checkPrior () : problem);
+}
+
+template <typename PointT>
+std::string
+AttentionBase<PointT>::checkPrior () const
+{
+  const std::string problem =
+      pcl_attention::validate (prior_, static_cast<int> (input_->width), static_cast<int> (input_->height),
+                               pcl_attention::HasRgb<PointT>::value);
+  return (problem.empty () ? "" : "Bad prior: " + problem + ".");
 }
 
 template <typename PointT>
@@ -161,6 +179,8 @@ AttentionBase<PointT>::start ()
   {
     pcl_attention::AttentionPoints points;
     points.points = *attention_points_;
+    for (AttentionPoint& point : points.points)
+      point.weight = 1.0f; // their order is the user's, whatever they matched before
     pipeline_.setAttentionPoints (std::move (points));
   }
 }
@@ -177,8 +197,15 @@ AttentionBase<PointT>::run (const char* method, const Work& work)
       if (!accept (method, checkInput ()))
         return (false);
       start ();
-      started_ = true;
+      started_ = prior_is_new_ = true;
     }
+    if (prior_is_new_ && !attention_points_)
+    {
+      if (!accept (method, checkPrior ()))
+        return (false);
+      pipeline_.setPrior (pcl_attention::AttentionPrior (prior_));
+    }
+    prior_is_new_ = false;
     return (work ());
   }
   catch (const std::exception& error)
