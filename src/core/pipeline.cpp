@@ -92,6 +92,7 @@ AttentionParameters::paper ()
   AttentionParameters parameters;
   parameters.normals.method = NormalMethod::integral_image;
   parameters.saliency.window_radius = 5;
+  parameters.patches.method = PatchMethod::region_growing;
   parameters.patches.plane_model = PlaneModel::initial;
   parameters.clustering.initial_patches = InitialPatches::within_radius;
   parameters.clustering.color_constraint = ColorConstraint::nearer_object;
