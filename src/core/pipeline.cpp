@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 namespace pcl_attention
@@ -38,6 +39,21 @@ Eigen::Vector3f
 pointAt (const OrganizedCloud& cloud, pcl::index_t index)
 {
   return {cloud.x[index], cloud.y[index], cloud.z[index]};
+}
+
+/** \brief Work in one thread of a team, which an exception must not leave. */
+template <typename Work> std::exception_ptr
+exceptionOf (const Work& work)
+{
+  try
+  {
+    work ();
+  }
+  catch (...)
+  {
+    return (std::current_exception ());
+  }
+  return (nullptr);
 }
 
 /** \brief Box along the principal axes of the points, the first axis upright where an upright direction is known.
@@ -270,8 +286,34 @@ AttentionPipeline::clustering ()
 }
 
 void
+AttentionPipeline::prepareObjects ()
+{
+  if (threads_ == 1 || attention_points_ || patch_graph_)
+    return;
+  normals ();
+  double milliseconds = 0.0;
+  const double before = times_.total ();
+  std::exception_ptr patch_error, point_error;
+  {
+    const StageTimer timer (milliseconds);
+#pragma omp parallel num_threads(threads_)
+#pragma omp single
+    {
+#pragma omp task
+      patch_error = exceptionOf ([this] { clustering (); });
+      point_error = exceptionOf ([this] { attentionPoints (); });
+    }
+  }
+  times_.overlap += std::max (0.0, times_.total () - before - milliseconds);
+  for (const std::exception_ptr& error : {patch_error, point_error})
+    if (error)
+      std::rethrow_exception (error);
+}
+
+void
 AttentionPipeline::fillQueue ()
 {
+  prepareObjects ();
   preparePatches ();
   queue_ = attentionPoints ().points;
   const bool ordered = parameters_.segmentation.prefer_supported && !over_support_.empty ();

@@ -46,9 +46,10 @@ struct AttentionParameters
 struct StageTimes
 {
   double normals{0.0}, saliency{0.0}, attention_points{0.0}, patches{0.0}, segmentation{0.0};
+  double overlap{0.0}; /**< in which stages ran beside each other, so that the sum of all counts it twice */
 
   double
-  total () const { return (normals + saliency + attention_points + patches + segmentation); }
+  total () const { return (normals + saliency + attention_points + patches + segmentation - overlap); }
 };
 
 /** \brief Cloud in, objects out, one fixation at a time; every stage runs when its result is first asked for, and each can be
@@ -115,6 +116,11 @@ private:
   /** \brief Patches, their graph and the planes of the background. */
   void
   preparePatches ();
+
+  /** \brief All that the first object needs: with several threads one of them prepares the patches while the others share the
+    * saliency, in which it then joins them. */
+  void
+  prepareObjects ();
   CompactClustering&
   clustering ();
   void
