@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene_stream.h"
+
+namespace pcl_attention
+{
+
+SceneStream::SceneStream (const std::vector<std::string>& paths, int image_width, const AttentionParameters& parameters,
+                          unsigned int threads)
+{
+  reader_ = std::thread ([this, paths, image_width] {
+    for (const std::string& path : paths)
+    {
+      Item item;
+      try
+      {
+        item.scene = std::make_unique<Scene> (readScene (path, image_width));
+      }
+      catch (...)
+      {
+        item.error = std::current_exception ();
+      }
+      if (!read_.push (std::move (item)))
+        return;
+    }
+    read_.close ();
+  });
+  try
+  {
+    segmenter_ = std::thread ([this, parameters, threads] {
+      while (std::optional<Item> item = read_.pop ())
+      {
+        if (!item->error)
+          try
+          {
+            item->result = segmentScene (*item->scene, parameters, threads);
+          }
+          catch (...)
+          {
+            item->error = std::current_exception ();
+          }
+        if (!segmented_.push (std::move (*item)))
+          return;
+      }
+      segmented_.close ();
+    });
+  }
+  catch (...) // the system gives no second thread
+  {
+    read_.close ();
+    reader_.join ();
+    throw;
+  }
+}
+
+SceneStream::~SceneStream ()
+{
+  read_.close ();
+  segmented_.close ();
+  reader_.join ();
+  segmenter_.join ();
+}
+
+SceneStream::Item
+SceneStream::next ()
+{
+  std::optional<Item> item = segmented_.pop ();
+  return (item ? std::move (*item) : Item ());
+}
+
+} // namespace pcl_attention
