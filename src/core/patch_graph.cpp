@@ -29,31 +29,32 @@ public:
   scan (int step_column, int step_row)
   {
     const int width = labels_.width, height = labels_.height, step = step_row * width + step_column;
-    // Of every line across the rows, at the column in which it meets the current row: its last labelled pixel before a gap.
+    // Of every line, at the column in which it meets the current row: its last labelled pixel before a gap.
     std::vector<int> before_gap (width, -1);
     for (int row = 0; row < height; ++row)
     {
-      if (step_column == 0 || row == 0)
-        ;
-      else if (step_row == 0)
-        std::fill (before_gap.begin (), before_gap.end (), -1);
-      else if (step_column > 0)
+      if (step_row != 0 && step_column > 0)
         std::rotate (before_gap.begin (), before_gap.end () - 1, before_gap.end ());
-      else
+      else if (step_column < 0)
         std::rotate (before_gap.begin (), before_gap.begin () + 1, before_gap.end ());
-      for (int column = 0; column < width; ++column)
-      {
-        const int index = row * width + column, label = labels_[index];
+      const auto gapAt = [&] (int column) -> int& { return (before_gap[step_row == 0 ? 0 : column]); };
+      const int* const labels = labels_.data.data () + static_cast<std::size_t> (row) * width;
+      const auto atBorder = [&] (int column) {
         const bool first = !labels_.contains (column - step_column, row - step_row);
-        const int before = first ? 0 : labels_[index - step];
-        int& gap_begin = before_gap[step_row == 0 ? 0 : column];
         if (first)
-          gap_begin = -1;
-        if (label != before)
-          noteChange (index, step, label, before, gap_begin);
-        if (label != 0 && !labels_.contains (column + step_column, row + step_row))
-          ++graph_.perimeter[label];
-      }
+          gapAt (column) = -1;
+        const int before = first ? 0 : labels[column - step];
+        if (labels[column] != before)
+          noteChange (row * width + column, step, labels[column], before, gapAt (column));
+        if (labels[column] != 0 && !labels_.contains (column + step_column, row + step_row))
+          ++graph_.perimeter[labels[column]];
+      };
+      const bool border_row = row == 0 || row == height - 1;
+      for (int column = 0; column < width; ++column)
+        if (border_row || column == 0 || column == width - 1)
+          atBorder (column);
+        else if (labels[column] != labels[column - step])
+          noteChange (row * width + column, step, labels[column], labels[column - step], gapAt (column));
     }
   }
 

@@ -342,26 +342,27 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
 
   struct Candidate
   {
-    PlanarPatch patch;
+    const PlanarPatch* patch;
     int label; /**< 0: of no patch in the graph */
   };
   constexpr std::size_t smallest = 200;
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < patches.patches.size (); ++k)
     if (patches.patches[k].pixels.size () >= smallest)
-      candidates.push_back ({patches.patches[k], static_cast<int> (k) + 1});
-  for (PlanarPatch& patch : coarsePatches (cloud, normals, noise))
+      candidates.push_back ({&patches.patches[k], static_cast<int> (k) + 1});
+  const std::vector<PlanarPatch> coarse_patches = coarsePatches (cloud, normals, noise);
+  for (const PlanarPatch& patch : coarse_patches)
     if (patch.pixels.size () >= smallest)
-      candidates.push_back ({std::move (patch), 0});
+      candidates.push_back ({&patch, 0});
   std::stable_sort (candidates.begin (), candidates.end (), [] (const Candidate& a, const Candidate& b) {
-    return (a.patch.pixels.size () > b.patch.pixels.size ());
+    return (a.patch->pixels.size () > b.patch->pixels.size ());
   });
 
   std::vector<std::uint8_t> taken (cloud.size (), 0);
   std::vector<double> scores;
   for (const Candidate& candidate : candidates)
   {
-    const PlanarPatch& patch = candidate.patch;
+    const PlanarPatch& patch = *candidate.patch;
     const auto known = std::count_if (patch.pixels.begin (), patch.pixels.end (),
                                       [&] (pcl::index_t index) { return (taken[index]); });
     if (2 * static_cast<std::size_t> (known) > patch.pixels.size () ||
