@@ -31,6 +31,16 @@ public:
     return (true);
   }
 
+  /** \brief Wait until \ref push would not wait: to make an item only when there is room for it.
+   * \return false when the queue is closed */
+  bool
+  waitForRoom ()
+  {
+    std::unique_lock<std::mutex> lock (mutex_);
+    changed_.wait (lock, [this] { return (closed_ || items_.size () < capacity_); });
+    return (!closed_);
+  }
+
   /** \brief Wait for an item.
    * \return nothing when the queue is closed and empty */
   std::optional<T>

@@ -10,6 +10,9 @@ SceneStream::SceneStream (const std::vector<std::string>& paths, int image_width
   reader_ = std::thread ([this, paths, image_width] {
     for (const std::string& path : paths)
     {
+      // No more than three scenes are in memory: one a stage.
+      if (!read_.waitForRoom ())
+        return;
       Item item;
       try
       {
@@ -27,8 +30,11 @@ SceneStream::SceneStream (const std::vector<std::string>& paths, int image_width
   try
   {
     segmenter_ = std::thread ([this, parameters, threads] {
-      while (std::optional<Item> item = read_.pop ())
+      while (segmented_.waitForRoom ())
       {
+        std::optional<Item> item = read_.pop ();
+        if (!item)
+          break;
         if (!item->error)
           try
           {

@@ -12,7 +12,7 @@ namespace pcl_attention
 {
 
 /** \brief Scenes read and segmented ahead in threads of their own: while the caller writes one, the next is segmented and
- * the one after it is read. A scene at a time waits between the stages, so that memory does not grow with their number. */
+ * the one after it is read, and no more, so that memory does not grow with their number. */
 class SceneStream
 {
 public:

@@ -11,6 +11,10 @@
 #include <iostream>
 #include <new>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace fs = std::filesystem;
 using namespace pcl_attention;
 
@@ -101,6 +105,10 @@ processScenes (const std::vector<std::string>& paths, const Settings& settings)
 int
 main (int argc, char** argv)
 {
+#ifdef __GLIBC__
+  // The threads hand large images on to each other: what one frees another can use.
+  mallopt (M_ARENA_MAX, 1);
+#endif
   namespace po = boost::program_options;
   CommandLine command_line (std::string (program) + " SCENE... -output_dir DIR [flags]",
                             "Finds the objects of RGB-D scenes in order of attention. SCENE: organized PCD files (x, "

@@ -47,9 +47,11 @@ TEST (BoundedQueue, closingFreesWhoWaits)
 {
   BoundedQueue<int> full (1), empty (1);
   EXPECT_TRUE (full.push (1));
-  std::thread writer ([&] { EXPECT_FALSE (full.push (2)); }), reader ([&] { EXPECT_EQ (empty.pop (), std::nullopt); });
+  EXPECT_TRUE (empty.waitForRoom ());
+  std::thread writer ([&] { EXPECT_FALSE (full.push (2)); }), maker ([&] { EXPECT_FALSE (full.waitForRoom ()); }), reader ([&] { EXPECT_EQ (empty.pop (), std::nullopt); });
   full.close ();
   empty.close ();
   writer.join ();
+  maker.join ();
   reader.join ();
 }
