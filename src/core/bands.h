@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -19,19 +20,22 @@ namespace pcl_attention
 template <typename Work> void
 forEachBand (int height, int band_height, [[maybe_unused]] int threads, const Work& work)
 {
-  const int bands = (height + band_height - 1) / band_height;
-  const auto band = [&] (int index) { work (index * band_height, std::min (height, (index + 1) * band_height)); };
+  const auto bands = static_cast<std::size_t> ((height + band_height - 1) / band_height);
+  const auto band = [&] (std::size_t index) {
+    const int begin = static_cast<int> (index) * band_height;
+    work (begin, std::min (height, begin + band_height));
+  };
 #ifdef _OPENMP
   if (omp_in_parallel ())
   {
 #pragma omp taskloop grainsize(1)
-    for (int index = 0; index < bands; ++index)
+    for (std::size_t index = 0; index < bands; ++index)
       band (index);
     return;
   }
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
 #endif
-  for (int index = 0; index < bands; ++index)
+  for (std::size_t index = 0; index < bands; ++index)
     band (index);
 }
 
