@@ -4,14 +4,17 @@
 #include "output_folder.h"
 #include "parameter_flags.h"
 #include "prior_flags.h"
-#include "scene_io.h"
-#include "scene_segmentation.h"
+#include "scene_stream.h"
 #include "segment_writer.h"
 
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <new>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace fs = std::filesystem;
 using namespace pcl_attention;
@@ -44,36 +47,39 @@ printNotes (const Scene& scene, bool& no_color_said)
   }
 }
 
-/** \brief \return "6 objects, 210 ms" */
+/** \brief Print what is known about a scene and write its results.
+ * \return "6 objects, 210 ms" */
 std::string
-processScene (const std::string& path, const Settings& settings, bool& no_color_said)
+finishScene (const SceneStream::Item& item, const Settings& settings, bool& no_color_said)
 {
-  const Scene scene = readScene (path, settings.image_width);
-  printNotes (scene, no_color_said);
-  OutputFolder folder (settings.output_folder, scene.name);
-  const SceneSegments result =
-      segmentScene (scene, settings.parameters.values, static_cast<unsigned int> (settings.threads), settings.prior);
-  writeSceneSegments (scene, result, settings.parameters, folder);
+  if (item.scene)
+    printNotes (*item.scene, no_color_said);
+  if (item.error)
+    std::rethrow_exception (item.error);
+  OutputFolder folder (settings.output_folder, item.scene->name);
+  writeSceneSegments (*item.scene, item.result, settings.parameters, folder);
   folder.commit ();
-  const std::size_t objects = result.segments.size ();
+  const std::size_t objects = item.result.segments.size ();
   return (std::to_string (objects) + (objects == 1 ? " object, " : " objects, ") +
-          std::to_string (std::lround (result.times.total ())) + " ms");
+          std::to_string (std::lround (item.result.times.total ())) + " ms");
 }
 
-/** \brief One after the other; a scene that fails does not keep the others from being segmented.
+/** \brief In the order of the paths; a scene that fails does not keep the others from being segmented.
  * \return how many failed */
 std::size_t
 processScenes (const std::vector<std::string>& paths, const Settings& settings)
 {
   std::size_t failures = 0;
   bool no_color_said = false;
+  SceneStream scenes (paths, settings.image_width, settings.parameters.values, settings.prior,
+                      static_cast<unsigned int> (settings.threads));
   for (std::size_t i = 0; i < paths.size (); ++i)
   {
     const std::string file_name = fs::path (paths[i]).filename ().string ();
     std::string error;
     try
     {
-      const std::string summary = processScene (paths[i], settings, no_color_said);
+      const std::string summary = finishScene (scenes.next (), settings, no_color_said);
       if (paths.size () > 1)
         std::cerr << '[' << i + 1 << '/' << paths.size () << "] " << file_name << ": " << summary << std::endl;
       std::cout << (settings.output_folder / fs::path (paths[i]).stem ()).string () << ": " << summary << std::endl;
@@ -102,6 +108,10 @@ processScenes (const std::vector<std::string>& paths, const Settings& settings)
 int
 main (int argc, char** argv)
 {
+#ifdef __GLIBC__
+  // The threads hand large images on to each other: what one frees another can use.
+  mallopt (M_ARENA_MAX, 1);
+#endif
   namespace po = boost::program_options;
   CommandLine command_line (std::string (program) + " SCENE... -output_dir DIR [flags]",
                             "Finds the objects of RGB-D scenes in order of attention. SCENE: organized PCD files (x, "

@@ -10,7 +10,7 @@ namespace pcl_attention
 {
 
 std::vector<SceneCloud::ConstPtr>
-loadScenes (const std::vector<std::string>& paths)
+loadScenes (const std::vector<std::string>& paths, int columns)
 {
   std::vector<SceneCloud::ConstPtr> clouds;
   for (const std::string& path : paths)
@@ -19,8 +19,10 @@ loadScenes (const std::vector<std::string>& paths)
     return (clouds);
   for (const SceneKind kind : {SceneKind::clutter, SceneKind::stacked, SceneKind::occluded, SceneKind::cylinders})
   {
+    SceneDescription description = makeScene (kind, 1);
+    description.camera = description.camera.resized (columns, columns * 3 / 4);
     const SceneCloud::Ptr cloud (new SceneCloud);
-    pcl::copyPointCloud (*renderScene (makeScene (kind, 1), 1), *cloud);
+    pcl::copyPointCloud (*renderScene (description, 1), *cloud);
     clouds.push_back (cloud);
   }
   return (clouds);

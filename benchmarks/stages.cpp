@@ -4,6 +4,8 @@
 #include "core/symmetry_oracle.h"
 #include "measure.h"
 
+#include <pcl_attention/core/pyramid.h>
+
 #include <pcl/segmentation/attention_segmentation.h>
 #include <pcl/segmentation/impl/organized_cloud.hpp>
 
@@ -27,13 +29,28 @@ segmentFrame (const Frame& frame, const AttentionParameters& settings, unsigned 
 }
 
 void
-segmentFirstObject (const Frame& frame)
+segmentFirstObject (const Frame& frame, unsigned int threads)
 {
   pcl::AttentionSegmentation<pcl::PointXYZRGB> segmentation (parameters);
   segmentation.setInputCloud (frame.scene);
+  segmentation.setNumberOfThreads (threads);
   AttentionSegment segment;
   segmentation.segmentNext (segment);
   benchmark::DoNotOptimize (segment);
+}
+
+void
+transcribeLevels (const Frame& frame)
+{
+  OrganizedCloud cloud = frame.cloud, half_cloud;
+  NormalImage normals = frame.normals, half_normals;
+  for (int level = 0; level < parameters.saliency.levels; ++level)
+  {
+    benchmark::DoNotOptimize (oracle::symmetryMap (cloud, normals, parameters.saliency));
+    halve (cloud, normals, half_cloud, half_normals);
+    std::swap (cloud, half_cloud);
+    std::swap (normals, half_normals);
+  }
 }
 
 } // namespace
@@ -66,10 +83,9 @@ measureStages (const std::vector<Frame>& frames)
     SymmetryMap map;
     computeSymmetry (frame.cloud, frame.normals, parameters.saliency, 1, map);
   });
-  // The same from the tests' transcription of the equations in double precision, which also estimates its uncertainty.
-  measure ("symmetry/double_transcription", frames, [] (const Frame& frame) {
-    benchmark::DoNotOptimize (oracle::symmetryMap (frame.cloud, frame.normals, parameters.saliency));
-  });
+  // The same levels from the tests' transcription of the equations in double precision, without blur and sum; it also estimates
+  // its uncertainty.
+  measure ("saliency/double_transcription", frames, transcribeLevels);
   measure ("attention_points", frames, [] (const Frame& frame) {
     AttentionPoints points;
     extractAttentionPoints (frame.saliency.saliency, frame.cloud.valid, parameters.attention_points, points);
@@ -77,6 +93,12 @@ measureStages (const std::vector<Frame>& frames)
   measure ("patches", frames, [] (const Frame& frame) {
     PlanarPatches patches;
     extractPlanarPatches (frame.cloud, frame.normals, parameters.patches, patches);
+  });
+  measure ("patches/pcl_region_growing", frames, [] (const Frame& frame) {
+    PatchParameters settings = parameters.patches;
+    settings.method = PatchMethod::region_growing;
+    PlanarPatches patches;
+    extractPlanarPatches (frame.cloud, frame.normals, settings, patches);
   });
   measure ("patch_graph", frames, [] (const Frame& frame) {
     benchmark::DoNotOptimize (buildPatchGraph (frame.cloud, frame.normals, frame.patches.labels,
@@ -87,7 +109,8 @@ measureStages (const std::vector<Frame>& frames)
     benchmark::DoNotOptimize (
         findSupportingPlanes (frame.cloud, frame.normals, frame.patches, frame.graph, parameters.support));
   });
-  measure ("first_object", frames, segmentFirstObject);
+  measure ("first_object/one_thread", frames, [] (const Frame& frame) { segmentFirstObject (frame, 1); });
+  measure ("first_object/two_threads", frames, [] (const Frame& frame) { segmentFirstObject (frame, 2); });
   measure ("frame/one_thread", frames, [] (const Frame& frame) { segmentFrame (frame, parameters, 1); });
   measure ("frame/two_threads", frames, [] (const Frame& frame) { segmentFrame (frame, parameters, 2); });
   measure ("frame/paper", frames, [] (const Frame& frame) { segmentFrame (frame, AttentionParameters::paper (), 1); });

@@ -4,12 +4,23 @@
 #include <cstdint>
 #include <cstring>
 
-// Several pixels at a time, one a lane. Everything is in an anonymous namespace and free of library headers, so that a source
-// compiled for a wider instruction set never lends its code to the others.
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
+// Several pixels at a time, one a lane, as many as the instruction set that this is compiled for works on at once: a pixel's
+// result is the same in every lane and at every width. Everything is in an anonymous namespace and free of library headers, so
+// that a source compiled for a wider instruction set never lends its code to the others.
 namespace
 {
 
+#if defined(__AVX512F__)
+constexpr int lane_count = 16;
+#elif defined(__AVX2__)
+constexpr int lane_count = 8;
+#else
 constexpr int lane_count = 4;
+#endif
 
 typedef float Lanes __attribute__ ((vector_size (lane_count * sizeof (float))));
 typedef std::int32_t LaneMask __attribute__ ((vector_size (lane_count * sizeof (std::int32_t))));
@@ -28,6 +39,46 @@ store (const Lanes& lanes, float* values)
   std::memcpy (values, &lanes, sizeof (lanes));
 }
 
+/** \brief The first lanes only. */
+inline void
+store (const Lanes& lanes, float* values, int count)
+{
+  if (count >= lane_count)
+    store (lanes, values);
+  else
+    std::memcpy (values, &lanes, count * sizeof (float));
+}
+
+/** \brief The first values; 0 in the other lanes. */
+inline Lanes
+load (const float* values, int count)
+{
+  if (count >= lane_count)
+    return (load (values));
+  Lanes lanes{};
+  std::memcpy (&lanes, values, count * sizeof (float));
+  return (lanes);
+}
+
+/** \brief Which of the first bytes are not 0. */
+inline LaneMask
+loadFlags (const std::uint8_t* values, int count)
+{
+  typedef std::uint8_t Bytes __attribute__ ((vector_size (lane_count)));
+  Bytes bytes{};
+  std::memcpy (&bytes, values, count >= lane_count ? lane_count : count);
+  return (__builtin_convertvector (bytes, LaneMask) != 0);
+}
+
+/** \brief Numbers from 0 to 255 in the first lanes. */
+inline void
+storeBytes (const LaneMask& lanes, std::uint8_t* values, int count)
+{
+  typedef std::uint8_t Bytes __attribute__ ((vector_size (lane_count)));
+  const Bytes bytes = __builtin_convertvector (lanes, Bytes);
+  std::memcpy (values, &bytes, count >= lane_count ? lane_count : count);
+}
+
 inline Lanes
 broadcast (float value)
 {
@@ -37,10 +88,18 @@ broadcast (float value)
 inline bool
 any (const LaneMask& mask)
 {
+#if defined(__AVX512F__)
+  return (_mm512_test_epi32_mask (reinterpret_cast<__m512i> (mask), reinterpret_cast<__m512i> (mask)) != 0);
+#elif defined(__AVX2__)
+  return (_mm256_movemask_ps (reinterpret_cast<__m256> (mask)) != 0);
+#elif defined(__SSE2__)
+  return (_mm_movemask_ps (reinterpret_cast<__m128> (mask)) != 0);
+#else
   std::int32_t result = 0;
   for (int lane = 0; lane < lane_count; ++lane)
     result |= mask[lane];
   return (result != 0);
+#endif
 }
 
 inline Lanes
@@ -68,13 +127,32 @@ maximum (const Lanes& a, const Lanes& b)
   return (select (a > b, a, b));
 }
 
+/** \brief Add a value where the mask is set. */
+inline void
+addWhere (const LaneMask& mask, const Lanes& value, Lanes& sum)
+{
+#ifdef __AVX512F__
+  sum = select (mask, sum + value, sum); // one masked instruction
+#else
+  sum += keep (mask, value);
+#endif
+}
+
 inline Lanes
 squareRoot (const Lanes& lanes)
 {
+#if defined(__AVX512F__)
+  return (_mm512_maskz_sqrt_ps (0xffff, lanes)); // without a mask GCC 12 warns falsely
+#elif defined(__AVX2__)
+  return (_mm256_sqrt_ps (lanes));
+#elif defined(__SSE2__)
+  return (_mm_sqrt_ps (lanes));
+#else
   Lanes result{};
   for (int lane = 0; lane < lane_count; ++lane)
     result[lane] = __builtin_sqrtf (lanes[lane]);
   return (result);
+#endif
 }
 
 /** \brief exp (x) for x <= 0, to 2 units in the last place; 0 under -87 (Cephes' expf polynomial). */
@@ -97,6 +175,22 @@ exponential (const Lanes& x)
   const LaneMask bits = reinterpret_cast<LaneMask> (shifted) - 0x4B400000; // the bits of 1.5 * 2^23
   const Lanes power = reinterpret_cast<Lanes> ((bits + 127) << 23);
   return (keep (~too_small, fraction * power));
+}
+
+/** \brief The even or the odd ones of 2 * lane_count values. */
+inline void
+splitLanes (const Lanes& first, const Lanes& second, Lanes& even, Lanes& odd)
+{
+#if defined(__AVX512F__)
+  even = __builtin_shufflevector (first, second, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+  odd = __builtin_shufflevector (first, second, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
+#elif defined(__AVX2__)
+  even = __builtin_shufflevector (first, second, 0, 2, 4, 6, 8, 10, 12, 14);
+  odd = __builtin_shufflevector (first, second, 1, 3, 5, 7, 9, 11, 13, 15);
+#else
+  even = __builtin_shufflevector (first, second, 0, 2, 4, 6);
+  odd = __builtin_shufflevector (first, second, 1, 3, 5, 7);
+#endif
 }
 
 /** \brief A vector a lane. */

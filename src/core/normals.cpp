@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lanes.h"
+#include "bands.h"
+#include "instruction_set.h"
 
 #include <pcl_attention/core/normals.h>
 
@@ -16,196 +17,83 @@ namespace pcl_attention
 namespace
 {
 
-/** \brief Depth of invalid points: finite, so that a gate shuts it out without a test of its own. */
-constexpr float far_away = 1e9f;
-
-/** \brief What is summed over neighbours, relative to a point: their number, coordinates and products of coordinates. */
-enum Moment
-{
-  moment_count,
-  moment_x,
-  moment_y,
-  moment_z,
-  moment_xx,
-  moment_xy,
-  moment_xz,
-  moment_yy,
-  moment_yz,
-  moment_zz,
-  moments_size
-};
-
-/** \brief The moments of every pixel of a row. */
-struct RowMoments
-{
-  std::vector<float> channels[moments_size];
-};
-
-/** \brief Coordinates with a margin of far-away points left and right. */
-class PaddedRows
+/** \brief A ring of padded rows: those that the window of the row in work covers. */
+class NormalRing
 {
 public:
-  PaddedRows (const OrganizedCloud& cloud, int margin)
-  : margin_ (margin), stride_ (cloud.width + 2 * margin + lane_count)
+  NormalRing (const OrganizedCloud& cloud, int radius, float gate, const LaneKernels& kernels)
+  : cloud_ (cloud), radius_ (radius), gate_ (gate), kernels_ (kernels), rows_ (2 * radius + 1)
   {
-    const std::size_t count = static_cast<std::size_t> (stride_) * cloud.height;
-    x.assign (count, 0.0f);
-    y.assign (count, 0.0f);
-    z.assign (count, far_away);
-    for (int row = 0; row < cloud.height; ++row)
-      for (int column = 0; column < cloud.width; ++column)
+    constexpr int channels_size = 3 + NormalRow::moments_size;
+    const std::size_t stride = cloud.width + 2 * radius + kernels.lanes;
+    memory_.assign (stride * channels_size * rows_.size (), 0.0f);
+    float* channel = memory_.data () + radius;
+    for (NormalRow& row : rows_)
+    {
+      for (float** pointer : {&row.x, &row.y, &row.z})
       {
-        const std::size_t source = static_cast<std::size_t> (row) * cloud.width + column;
-        if (!cloud.valid[source])
-          continue;
-        const std::ptrdiff_t target = offset (column, row);
-        x[target] = cloud.x[source];
-        y[target] = cloud.y[source];
-        z[target] = cloud.z[source];
+        *pointer = channel;
+        channel += stride;
       }
+      std::fill_n (row.z - radius, stride, NormalRow::far_away);
+      for (float*& moment : row.moments)
+      {
+        moment = channel;
+        channel += stride;
+      }
+    }
   }
 
-  std::ptrdiff_t
-  offset (int column, int row) const { return (static_cast<std::ptrdiff_t> (row) * stride_ + column + margin_); }
+  /** \brief Take in the next row. */
+  void
+  fill (int row)
+  {
+    const NormalRow& target = at (row);
+    const std::size_t begin = static_cast<std::size_t> (row) * cloud_.width;
+    std::copy_n (&cloud_.x[begin], cloud_.width, target.x);
+    std::copy_n (&cloud_.y[begin], cloud_.width, target.y);
+    for (int column = 0; column < cloud_.width; ++column)
+      target.z[column] = cloud_.valid[begin + column] ? cloud_.z[begin + column] : NormalRow::far_away;
+    kernels_.rowMoments (target, cloud_.width, radius_, gate_);
+  }
 
-  LaneVector
-  points (std::ptrdiff_t at) const { return {load (&x[at]), load (&y[at]), load (&z[at])}; }
-
-  std::vector<float> x, y, z;
+  const NormalRow&
+  at (int row) const { return (rows_[row % rows_.size ()]); }
 
 private:
-  int margin_, stride_;
+  const OrganizedCloud& cloud_;
+  int radius_;
+  float gate_;
+  const LaneKernels& kernels_;
+  std::vector<NormalRow> rows_;
+  std::vector<float> memory_;
 };
-
-/** \brief Moments of every pixel's neighbours in its own row, relative to the pixel. */
-void
-rowMoments (const PaddedRows& rows, int row, int width, int radius, float gate, RowMoments& moments)
-{
-  for (int column = 0; column < width; column += lane_count)
-  {
-    const std::ptrdiff_t center = rows.offset (column, row);
-    const LaneVector point = rows.points (center);
-    Lanes sums[moments_size] = {};
-    for (int step = -radius; step <= radius; ++step)
-    {
-      const LaneVector difference = rows.points (center + step) - point;
-      const LaneMask near = absolute (difference.z) < gate;
-      const LaneVector d{keep (near, difference.x), keep (near, difference.y), keep (near, difference.z)};
-      sums[moment_count] += keep (near, broadcast (1.0f));
-      sums[moment_x] += d.x;
-      sums[moment_y] += d.y;
-      sums[moment_z] += d.z;
-      sums[moment_xx] += d.x * d.x;
-      sums[moment_xy] += d.x * d.y;
-      sums[moment_xz] += d.x * d.z;
-      sums[moment_yy] += d.y * d.y;
-      sums[moment_yz] += d.y * d.z;
-      sums[moment_zz] += d.z * d.z;
-    }
-    for (int channel = 0; channel < moments_size; ++channel)
-      store (sums[channel], &moments.channels[channel][column]);
-  }
-}
-
-/** \brief Normals of one row from the row moments around it. */
-void
-fitRow (const PaddedRows& rows, int row, const OrganizedCloud& cloud, int radius, float gate,
-        const std::vector<const RowMoments*>& around, NormalImage& normals)
-{
-  for (int column = 0; column < cloud.width; column += lane_count)
-  {
-    const LaneVector center = rows.points (rows.offset (column, row));
-    Lanes count{};
-    LaneVector sum{};
-    LaneSymmetricMatrix square{};
-    for (int step = -radius; step <= radius; ++step)
-    {
-      const RowMoments* moments = around[step + radius];
-      if (!moments)
-        continue;
-      const LaneVector difference = rows.points (rows.offset (column, row + step)) - center;
-      const LaneMask near = absolute (difference.z) < gate;
-      const LaneVector d{keep (near, difference.x), keep (near, difference.y), keep (near, difference.z)};
-      const auto moment = [&] (int channel) { return (keep (near, load (&moments->channels[channel][column]))); };
-      const Lanes n = moment (moment_count);
-      const LaneVector s{moment (moment_x), moment (moment_y), moment (moment_z)};
-      count += n;
-      sum = sum + s + d * n;
-      square.xx += moment (moment_xx) + 2.0f * s.x * d.x + n * d.x * d.x;
-      square.xy += moment (moment_xy) + s.x * d.y + s.y * d.x + n * d.x * d.y;
-      square.xz += moment (moment_xz) + s.x * d.z + s.z * d.x + n * d.x * d.z;
-      square.yy += moment (moment_yy) + 2.0f * s.y * d.y + n * d.y * d.y;
-      square.yz += moment (moment_yz) + s.y * d.z + s.z * d.y + n * d.y * d.z;
-      square.zz += moment (moment_zz) + 2.0f * s.z * d.z + n * d.z * d.z;
-    }
-    const Lanes inverse = 1.0f / select (count > 0.0f, count, broadcast (1.0f));
-    const LaneVector mean = sum * inverse;
-    const LaneSymmetricMatrix covariance{
-      square.xx * inverse - mean.x * mean.x, square.xy * inverse - mean.x * mean.y,
-      square.xz * inverse - mean.x * mean.z, square.yy * inverse - mean.y * mean.y,
-      square.yz * inverse - mean.y * mean.z, square.zz * inverse - mean.z * mean.z};
-    LaneVector vectors[3];
-    Lanes values[3];
-    eigenDecomposition (covariance, vectors, values);
-    LaneVector normal = select (values[1] < values[0], vectors[1], vectors[0]);
-    Lanes smallest = select (values[1] < values[0], values[1], values[0]);
-    normal = select (values[2] < smallest, vectors[2], normal);
-    smallest = maximum (select (values[2] < smallest, values[2], smallest), Lanes{});
-    const Lanes trace = covariance.xx + covariance.yy + covariance.zz;
-    const Lanes largest = maximum (maximum (values[0], values[1]), values[2]);
-    const Lanes middle = trace - smallest - largest;
-    // Three points span no more than a line if the middle eigenvalue vanishes.
-    const LaneMask defined = (count >= 4.0f) & (middle > 1e-6f * trace) & (absolute (center.z) < 0.5f * far_away);
-    normal = select (dot (normal, center) > 0.0f, normal * broadcast (-1.0f), normal);
-    normal = normalized (normal);
-    const Lanes curvature = smallest / select (trace > 0.0f, trace, broadcast (1.0f));
-
-    const int lanes = std::min (lane_count, cloud.width - column);
-    for (int lane = 0; lane < lanes; ++lane)
-    {
-      const std::size_t index = static_cast<std::size_t> (row) * cloud.width + column + lane;
-      if (!defined[lane] || !cloud.valid[index])
-        continue;
-      normals.valid[index] = 1;
-      normals.x[index] = normal.x[lane];
-      normals.y[index] = normal.y[lane];
-      normals.z[index] = normal.z[lane];
-      normals.curvature[index] = curvature[lane];
-    }
-  }
-}
 
 /** \brief Separable: moments along the rows first, then the rows' moments along the columns; both gated in depth. */
 void
-fitGatedWindows (const OrganizedCloud& cloud, int radius, float gate, [[maybe_unused]] int threads, NormalImage& normals)
+fitGatedWindows (const OrganizedCloud& cloud, int radius, float gate, int threads, NormalImage& normals)
 {
-  const PaddedRows rows (cloud, radius);
-  const int ring_size = 2 * radius + 1;
-  // Bands of a fixed height, whatever the number of threads; each fills a ring of row moments of its own.
+  const LaneKernels& kernels = laneKernels ();
+  // Bands of a fixed height, whatever the number of threads; each fills a ring of its own.
   constexpr int band_height = 60;
-  const int bands = (cloud.height + band_height - 1) / band_height;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-  for (int band = 0; band < bands; ++band)
-  {
-    const int begin = band * band_height, end = std::min (cloud.height, begin + band_height);
-    std::vector<RowMoments> ring (ring_size);
-    for (RowMoments& moments : ring)
-      for (auto& channel : moments.channels)
-        channel.resize (cloud.width + lane_count);
-    std::vector<const RowMoments*> around (ring_size);
+  forEachBand (cloud.height, band_height, threads, [&] (int begin, int end) {
+    NormalRing ring (cloud, radius, gate, kernels);
+    std::vector<const NormalRow*> around (2 * radius + 1);
     int filled = std::max (0, begin - radius);
     for (int row = begin; row < end; ++row)
     {
       for (; filled <= std::min (cloud.height - 1, row + radius); ++filled)
-        rowMoments (rows, filled, cloud.width, radius, gate, ring[filled % ring_size]);
+        ring.fill (filled);
       for (int step = -radius; step <= radius; ++step)
       {
         const int other = row + step;
-        around[step + radius] = other < 0 || other >= cloud.height ? nullptr : &ring[other % ring_size];
+        around[step + radius] = other < 0 || other >= cloud.height ? nullptr : &ring.at (other);
       }
-      fitRow (rows, row, cloud, radius, gate, around, normals);
+      const std::size_t at = static_cast<std::size_t> (row) * cloud.width;
+      kernels.fitRow (around.data (), cloud.width, radius, gate,
+                      {&normals.x[at], &normals.y[at], &normals.z[at], &normals.curvature[at], &normals.valid[at]});
     }
-  }
+  });
 }
 
 /** \brief PCL's own normals, in the sensor frame. */
@@ -244,11 +132,14 @@ fitIntegralImages (const OrganizedCloud& cloud, int radius, float gate, NormalIm
 void
 estimateNormals (const OrganizedCloud& cloud, const NormalParameters& parameters, int threads, NormalImage& normals)
 {
-  normals.reset (cloud.size ());
   if (parameters.method == NormalMethod::gated_window)
+  {
+    normals.resize (cloud.size ());
     fitGatedWindows (cloud, parameters.radius, parameters.depth_gate, threads, normals);
-  else
-    fitIntegralImages (cloud, parameters.radius, parameters.depth_gate, normals);
+    return;
+  }
+  normals.reset (cloud.size ());
+  fitIntegralImages (cloud, parameters.radius, parameters.depth_gate, normals);
 }
 
 } // namespace pcl_attention

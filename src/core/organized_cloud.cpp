@@ -11,7 +11,9 @@ estimateFocalLength (const OrganizedCloud& cloud)
   double count = 0.0;
   double sum_slope_x = 0.0, sum_column = 0.0, sum_slope_y = 0.0, sum_row = 0.0;
   double square = 0.0, product = 0.0;
-  for (int row = 0; row < cloud.height; ++row)
+  // A quarter of the rows fixes three numbers as well as all of them.
+  constexpr int row_step = 4;
+  for (int row = 0; row < cloud.height; row += row_step)
     for (int column = 0; column < cloud.width; ++column)
     {
       const std::size_t index = static_cast<std::size_t> (row) * cloud.width + column;

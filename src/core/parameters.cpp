@@ -120,6 +120,8 @@ makeTable ()
              "shorter skeletons give no point");
 
   rowsOf (table, "patches", &P::patches)
+    .choice ("patch_method", &PatchParameters::method, {"grid_growing", "region_growing"}, "IV-A",
+             "growth over the pixel grid, or PCL's region growing; they differ in the order of points of equal curvature")
     .choice ("plane_model", &PatchParameters::plane_model, {"initial", "running"}, "IV-A",
              "compare with the seed's plane, or with the patch's mean so far")
     .number ("patch_maximum_angle", &PatchParameters::maximum_angle, 0, 1.5708, "radians", "IV-A",

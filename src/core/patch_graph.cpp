@@ -11,7 +11,7 @@ namespace pcl_attention
 namespace
 {
 
-/** \brief Walks along the rows, columns and diagonals of the label image and notes every change of label. */
+/** \brief Compares every pixel with the one before it along rows, columns and diagonals, and notes every change of label. */
 class BorderScan
 {
 public:
@@ -25,43 +25,76 @@ public:
     focal_length_ (estimateFocalLength (cloud))
   {}
 
+  /** \param[in] step_column,step_row from a pixel to the next: (1, 0), (0, 1), (1, 1) or (-1, 1) */
   void
-  scan (int column, int row, int step_column, int step_row)
+  scan (int step_column, int step_row)
   {
-    const Pixel step{step_column, step_row};
-    int last = -1, gap = 0; // index of the last labelled pixel, pixels without a label since then
-    for (; labels_.contains (column, row); column += step_column, row += step_row)
+    const int width = labels_.width, height = labels_.height, offset = step_row * width + step_column;
+    step_ = {step_column, step_row};
+    // Of every line, at the column in which it meets the current row: its last labelled pixel before a gap.
+    std::vector<int> before_gap (width, -1);
+    for (int row = 0; row < height; ++row)
     {
-      const int index = row * labels_.width + column;
-      const int label = labels_[index];
-      if (label == 0)
-      {
-        if (last >= 0 && gap++ == 0)
-          ++graph_.perimeter[labels_[last]];
-        continue;
-      }
-      if (last < 0 || gap > parameters_.maximum_gap)
-        ++graph_.perimeter[label];
-      else if (gap > 0)
-      {
-        ++graph_.perimeter[label];
-        if (labels_[last] != label)
-          addPair (last, index, step, gap + 1);
-      }
-      else if (labels_[last] != label)
-      {
-        ++graph_.perimeter[labels_[last]];
-        ++graph_.perimeter[label];
-        addPair (last, index, step, 1);
-      }
-      last = index;
-      gap = 0;
+      if (step_row != 0 && step_column > 0)
+        std::rotate (before_gap.begin (), before_gap.end () - 1, before_gap.end ());
+      else if (step_column < 0)
+        std::rotate (before_gap.begin (), before_gap.begin () + 1, before_gap.end ());
+      const auto gapAt = [&] (int column) -> int& { return (before_gap[step_row == 0 ? 0 : column]); };
+      const int* const labels = labels_.data.data () + static_cast<std::size_t> (row) * width;
+      const auto atBorder = [&] (int column) {
+        const bool first = !labels_.contains (column - step_column, row - step_row);
+        if (first)
+          gapAt (column) = -1;
+        const int before = first ? 0 : labels[column - offset];
+        if (labels[column] != before)
+          noteChange (row * width + column, offset, labels[column], before, gapAt (column));
+        if (labels[column] != 0 && !labels_.contains (column + step_column, row + step_row))
+          ++graph_.perimeter[labels[column]];
+      };
+      const bool border_row = row == 0 || row == height - 1;
+      for (int column = 0; column < width; ++column)
+        if (border_row || column == 0 || column == width - 1)
+          atBorder (column);
+        else if (labels[column] != labels[column - offset])
+          noteChange (row * width + column, offset, labels[column], labels[column - offset], gapAt (column));
     }
-    if (last >= 0 && gap == 0)
-      ++graph_.perimeter[labels_[last]];
   }
 
 private:
+  /** \param[in,out] gap_begin the labelled pixel before the gap that ends or begins here; -1: none */
+  void
+  noteChange (int index, int offset, int label, int before, int& gap_begin)
+  {
+    if (before != 0)
+    {
+      ++graph_.perimeter[before];
+      if (label == 0)
+        gap_begin = index - offset;
+      else
+        addPair (index - offset, index, 1);
+    }
+    if (label == 0)
+      return;
+    ++graph_.perimeter[label];
+    if (before != 0 || gap_begin < 0)
+      return;
+    const int distance = (index - gap_begin) / offset;
+    if (distance <= parameters_.maximum_gap + 1 && labels_[gap_begin] != label)
+      addPair (gap_begin, index, distance);
+  }
+
+  /** \brief The border of two labels, which most often is the one asked for before. */
+  PatchBorder&
+  borderOf (int first, int second)
+  {
+    if (!border_ || names_ != std::make_pair (first, second))
+    {
+      names_ = {first, second};
+      border_ = &graph_.borders[names_];
+    }
+    return (*border_);
+  }
+
   Eigen::Vector3f
   point (int index) const { return {cloud_.x[index], cloud_.y[index], cloud_.z[index]}; }
 
@@ -98,14 +131,15 @@ private:
   }
 
   void
-  addPair (int first, int second, Pixel step, int distance_in_pixels)
+  addPair (int first, int second, int distance_in_pixels)
   {
+    Pixel step = step_;
     if (labels_[first] > labels_[second])
     {
       std::swap (first, second);
       step = {-step.column, -step.row};
     }
-    PatchBorder& border = graph_.borders[{labels_[first], labels_[second]}];
+    PatchBorder& border = borderOf (labels_[first], labels_[second]);
     ++border.pairs;
     const Eigen::Vector3f a = point (first), b = point (second);
     const float depth = std::max (a.z (), b.z ());
@@ -139,6 +173,9 @@ private:
   const PatchGraphParameters& parameters_;
   PatchGraph& graph_;
   float focal_length_;
+  Pixel step_{0, 0}; /**< from a pixel to the next along the lines */
+  std::pair<int, int> names_;
+  PatchBorder* border_{nullptr};
 };
 
 } // namespace
@@ -182,21 +219,10 @@ buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const 
   graph.image_border.assign (count + 1, 0);
   BorderScan scan (cloud, normals, labels, parameters, graph);
   const int width = labels.width, height = labels.height;
-  for (int row = 0; row < height; ++row)
-  {
-    scan.scan (0, row, 1, 0);
-    scan.scan (0, row, 1, 1);
-    scan.scan (0, row, 1, -1);
-  }
-  for (int column = 0; column < width; ++column)
-  {
-    scan.scan (column, 0, 0, 1);
-    if (column > 0)
-    {
-      scan.scan (column, 0, 1, 1);
-      scan.scan (column, height - 1, 1, -1);
-    }
-  }
+  scan.scan (1, 0);
+  scan.scan (0, 1);
+  scan.scan (1, 1);
+  scan.scan (-1, 1);
   for (const auto& border : graph.borders)
   {
     graph.neighbors[border.first.first].push_back (border.first.second);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 namespace pcl_attention
@@ -38,6 +39,21 @@ Eigen::Vector3f
 pointAt (const OrganizedCloud& cloud, pcl::index_t index)
 {
   return {cloud.x[index], cloud.y[index], cloud.z[index]};
+}
+
+/** \brief Work in one thread of a team, which an exception must not leave. */
+template <typename Work> std::exception_ptr
+exceptionOf (const Work& work)
+{
+  try
+  {
+    work ();
+  }
+  catch (...)
+  {
+    return (std::current_exception ());
+  }
+  return (nullptr);
 }
 
 /** \brief Box along the principal axes of the points, the first axis upright where an upright direction is known.
@@ -92,6 +108,7 @@ AttentionParameters::paper ()
   AttentionParameters parameters;
   parameters.normals.method = NormalMethod::integral_image;
   parameters.saliency.window_radius = 5;
+  parameters.patches.method = PatchMethod::region_growing;
   parameters.patches.plane_model = PlaneModel::initial;
   parameters.clustering.initial_patches = InitialPatches::within_radius;
   parameters.clustering.color_constraint = ColorConstraint::nearer_object;
@@ -141,6 +158,7 @@ AttentionPipeline::setPrior (AttentionPrior&& prior)
   prior_ = std::move (prior);
   prior_weights_ = Image<float> ();
   attention_points_.reset ();
+  points_are_users_ = false;
   queue_.clear ();
   next_point_ = 0;
   waiting_.clear ();
@@ -172,6 +190,7 @@ void
 AttentionPipeline::setAttentionPoints (AttentionPoints&& points)
 {
   attention_points_ = std::move (points);
+  points_are_users_ = true;
 }
 
 const NormalImage&
@@ -294,8 +313,34 @@ AttentionPipeline::clustering ()
 }
 
 void
+AttentionPipeline::prepareObjects ()
+{
+  if (threads_ == 1 || attention_points_ || patch_graph_)
+    return;
+  normals ();
+  double milliseconds = 0.0;
+  const double before = times_.total ();
+  std::exception_ptr patch_error, point_error;
+  {
+    const StageTimer timer (milliseconds);
+#pragma omp parallel num_threads(threads_)
+#pragma omp single
+    {
+#pragma omp task
+      patch_error = exceptionOf ([this] { clustering (); });
+      point_error = exceptionOf ([this] { attentionPoints (); });
+    }
+  }
+  times_.overlap += std::max (0.0, times_.total () - before - milliseconds);
+  for (const std::exception_ptr& error : {patch_error, point_error})
+    if (error)
+      std::rethrow_exception (error);
+}
+
+void
 AttentionPipeline::fillQueue ()
 {
+  prepareObjects ();
   preparePatches ();
   queue_ = attentionPoints ().points;
   const auto rest = std::stable_partition (queue_.begin (), queue_.end (),
@@ -363,7 +408,8 @@ AttentionPipeline::priorityOf (std::size_t place, float size_weight) const
   // What is not salient at all still has its size.
   constexpr float least = 0.1f;
   const AttentionPoint& point = queue_[place];
-  const float saliency = point.kind == AttentionPointKind::user ? std::numeric_limits<float>::infinity () : point.saliency;
+  const bool users = points_are_users_ && point.kind != AttentionPointKind::coverage;
+  const float saliency = users ? std::numeric_limits<float>::infinity () : point.saliency;
   return {-weightStep (point.weight), isPreferred (point), (least + saliency) * size_weight};
 }
 

@@ -10,10 +10,20 @@ namespace pcl_attention
 namespace
 {
 
+/** \brief The largest of values from 0 up. */
 float
 largest (const Image<float>& map)
 {
-  return (map.size () == 0 ? 0.0f : *std::max_element (map.data.begin (), map.data.end ()));
+  // Several at a time, so that none waits for the one before.
+  constexpr std::size_t lanes = 16;
+  float maxima[lanes] = {};
+  std::size_t index = 0;
+  for (; index + lanes <= map.size (); index += lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      maxima[lane] = map[index + lane] > maxima[lane] ? map[index + lane] : maxima[lane];
+  for (; index < map.size (); ++index)
+    maxima[0] = std::max (maxima[0], map[index]);
+  return (*std::max_element (maxima, maxima + lanes));
 }
 
 /** \brief Blur a level's map and drop what is noise on it. */
@@ -23,8 +33,7 @@ cleanLevel (const SaliencyParameters& parameters, SymmetryMap& level)
   level.symmetry = boxBlur (level.symmetry, parameters.blur_radius);
   const float threshold = std::max (parameters.level_threshold * largest (level.symmetry), parameters.saliency_floor);
   for (float& value : level.symmetry.data)
-    if (value < threshold)
-      value = 0.0f;
+    value = value < threshold ? 0.0f : value;
 }
 
 Image<float>
@@ -57,7 +66,7 @@ acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& clou
   maps.saliency.assign (cloud.width, cloud.height, 0.0f);
   maps.winning_level.assign (cloud.width, cloud.height, 0);
   maps.winning_plane.assign (cloud.width, cloud.height, 0);
-  Image<float> best (cloud.width, cloud.height, 0.0f);
+  Image<float> best (cloud.width, cloud.height, 0.0f), best_level (cloud.width, cloud.height, 0.0f);
   std::vector<std::pair<int, int>> sizes;
   for (const SymmetryMap& level : maps.levels)
     sizes.emplace_back (level.symmetry.width, level.symmetry.height);
@@ -69,23 +78,28 @@ acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& clou
       continue;
     const float scale = parameters.normalize_levels ? 1.0f / peak : 1.0f;
     const Image<float> contribution = enlarge (symmetry.symmetry, level, sizes);
-    for (int row = 0; row < cloud.height; ++row)
-      for (int column = 0; column < cloud.width; ++column)
-      {
-        const std::size_t index = static_cast<std::size_t> (row) * cloud.width + column;
-        if (!cloud.valid[index])
-          continue;
-        const float value = scale * contribution[index];
-        maps.saliency[index] += value;
-        if (value > best[index])
-        {
-          best[index] = value;
-          maps.winning_level[index] = static_cast<std::uint8_t> (level + 1);
-          maps.winning_plane[index] = winningAxis (
-            symmetry, column >> level, row >> level, parameters.blur_radius + 1);
-        }
-      }
+    const auto name = static_cast<float> (level + 1);
+    for (std::size_t index = 0; index < cloud.size (); ++index)
+    {
+      const float value = scale * contribution[index];
+      maps.saliency[index] += value;
+      best_level[index] = value > best[index] ? name : best_level[index];
+      best[index] = value > best[index] ? value : best[index];
+    }
   }
+  for (int row = 0; row < cloud.height; ++row)
+    for (int column = 0; column < cloud.width; ++column)
+    {
+      const std::size_t index = static_cast<std::size_t> (row) * cloud.width + column;
+      if (!cloud.valid[index])
+        maps.saliency[index] = 0.0f;
+      else if (const int level = static_cast<int> (best_level[index]))
+      {
+        maps.winning_level[index] = static_cast<std::uint8_t> (level);
+        maps.winning_plane[index] = winningAxis (maps.levels[level - 1], column >> (level - 1), row >> (level - 1),
+                                                 parameters.blur_radius + 1);
+      }
+    }
   maps.maximum = largest (maps.saliency);
   if (maps.maximum > 0.0f)
     for (float& value : maps.saliency.data)
@@ -98,7 +112,7 @@ void
 computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const SaliencyParameters& parameters, int threads,
                  SaliencyMaps& maps)
 {
-  maps.levels.assign (parameters.levels, SymmetryMap ());
+  maps.levels.resize (parameters.levels);
   OrganizedCloud level_cloud, half_cloud;
   NormalImage level_normals, half_normals;
   for (int level = 0; level < parameters.levels; ++level)

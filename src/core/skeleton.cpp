@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <queue>
 
 namespace pcl_attention
@@ -134,31 +135,57 @@ longestPath (const Image<std::uint8_t>& skeleton, const std::vector<Pixel>& pixe
 int
 labelConnectedComponents (const Image<std::uint8_t>& mask, Image<int>& labels)
 {
+  // Runs of a row that touch a run of the row before, over corners too, hang together; the first run of each component is its
+  // root.
+  struct Run
+  {
+    int row, begin, end;
+    int parent;
+  };
+  std::vector<Run> runs;
+  const auto rootOf = [&runs] (int run) {
+    while (runs[run].parent != run)
+      run = runs[run].parent = runs[runs[run].parent].parent;
+    return (run);
+  };
+  int above = 0, above_end = 0; // runs of the row before
+  for (int row = 0; row < mask.height; ++row)
+  {
+    const std::uint8_t* const pixels = &mask (0, row);
+    const int row_begin = static_cast<int> (runs.size ());
+    for (int column = 0; column < mask.width;)
+    {
+      const auto* const next = static_cast<const std::uint8_t*> (std::memchr (pixels + column, 0, mask.width - column));
+      const int end = next ? static_cast<int> (next - pixels) : mask.width;
+      if (end == column)
+      {
+        while (column < mask.width && !pixels[column])
+          ++column;
+        continue;
+      }
+      const int run = static_cast<int> (runs.size ());
+      runs.push_back ({row, column, end, run});
+      while (above < above_end && runs[above].end < column)
+        ++above;
+      for (int other = above; other < above_end && runs[other].begin <= end; ++other)
+      {
+        const int a = rootOf (run), b = rootOf (other);
+        runs[std::max (a, b)].parent = std::min (a, b);
+      }
+      column = end;
+    }
+    above = row_begin;
+    above_end = static_cast<int> (runs.size ());
+  }
   labels.assign (mask.width, mask.height, 0);
   int count = 0;
-  std::vector<Pixel> stack;
-  for (int row = 0; row < mask.height; ++row)
-    for (int column = 0; column < mask.width; ++column)
-    {
-      if (!mask (column, row) || labels (column, row))
-        continue;
-      labels (column, row) = ++count;
-      stack.push_back ({column, row});
-      while (!stack.empty ())
-      {
-        const Pixel pixel = stack.back ();
-        stack.pop_back ();
-        for (const auto& offset : clockwise)
-        {
-          const Pixel next{pixel.column + offset[0], pixel.row + offset[1]};
-          if (mask.contains (next.column, next.row) && mask (next.column, next.row) && !labels (next.column, next.row))
-          {
-            labels (next.column, next.row) = count;
-            stack.push_back (next);
-          }
-        }
-      }
-    }
+  std::vector<int> names (runs.size ());
+  for (int run = 0; run < static_cast<int> (runs.size ()); ++run)
+  {
+    const int root = rootOf (run);
+    names[run] = root == run ? ++count : names[root];
+    std::fill (&labels (0, runs[run].row) + runs[run].begin, &labels (0, runs[run].row) + runs[run].end, names[run]);
+  }
   return (count);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex_hull.h"
+#include "instruction_set.h"
 
 #include <pcl_attention/core/normals.h>
 #include <pcl_attention/core/pyramid.h>
@@ -29,9 +30,9 @@ pointAt (const OrganizedCloud& cloud, std::size_t index)
 float
 pixelArea (const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float focal_length)
 {
-  const float side = point.z () / focal_length;
-  const float cosine = std::max (0.1f, std::abs (normal.dot (point.normalized ())));
-  return (side * side / cosine);
+  constexpr float smallest_cosine = 0.1f;
+  const float side = point.z () / focal_length, distance = point.norm ();
+  return (side * side * distance / std::max (smallest_cosine * distance, std::abs (normal.dot (point))));
 }
 
 /** \brief The outline of a plane's points, to ask what lies over it. */
@@ -61,20 +62,34 @@ public:
       std::reverse (outline_.begin (), outline_.end ());
   }
 
-  /** \brief Whether a point's foot lies inside the outline or at most margin metres beyond it. */
-  bool
-  contains (const Eigen::Vector3f& point, float margin) const
+  /** \brief The outline, margin metres wider. */
+  std::vector<OutlineEdge>
+  edges (float margin) const
   {
-    const Eigen::Vector2f foot (point.dot (axis1_), point.dot (axis2_));
-    for (std::size_t i = 0; i < outline_.size (); ++i)
+    std::vector<OutlineEdge> result;
+    for (std::size_t i = 0; i < outline_.size () && outline_.size () >= 3; ++i)
     {
       const Eigen::Vector2f a = outline_[i].head<2> (), edge = outline_[(i + 1) % outline_.size ()].head<2> () - a;
-      const Eigen::Vector2f outwards (edge.y (), -edge.x ());
-      if (outwards.dot (foot - a) > margin * edge.norm ())
-        return (false);
+      result.push_back ({a.x (), a.y (), edge.y (), -edge.x (), margin * edge.norm ()});
     }
-    return (outline_.size () >= 3);
+    return (result);
   }
+
+  /** \brief Whether a point's foot lies inside. */
+  bool
+  contains (const Eigen::Vector3f& point, const std::vector<OutlineEdge>& outline) const
+  {
+    const float x = point.dot (axis1_), y = point.dot (axis2_);
+    return (!outline.empty () && std::all_of (outline.begin (), outline.end (), [&] (const OutlineEdge& edge) {
+      return (edge.normal_x * (x - edge.x) + edge.normal_y * (y - edge.y) <= edge.limit);
+    }));
+  }
+
+  const Eigen::Vector3f&
+  axis1 () const { return (axis1_); }
+
+  const Eigen::Vector3f&
+  axis2 () const { return (axis2_); }
 
 private:
   Eigen::Vector3f axis1_, axis2_;
@@ -139,16 +154,9 @@ public:
     coefficients_ = square.ldlt ().solve (product).cast<float> ();
   }
 
-  /** \brief Height of a point over the surface, along the plane's normal, metres. */
-  float
-  height (const Eigen::Vector3f& point) const
-  {
-    const float inverse_depth = coefficients_.dot (terms (point));
-    if (!(inverse_depth > 1e-3f))
-      return (plane.height (point));
-    const Eigen::Vector3f ray = point / point.z ();
-    return ((point.z () - 1.0f / inverse_depth) * plane.normal.dot (ray));
-  }
+  /** \brief Inverse depth as a function of the view ray (u, v): the factors of 1, u, v, uu, uv, vv. */
+  const Eigen::Matrix<float, 6, 1>&
+  coefficients () const { return (coefficients_); }
 
   PlaneFit plane;
 
@@ -163,32 +171,33 @@ private:
   Eigen::Matrix<float, 6, 1> coefficients_;
 };
 
+PointArrays
+arraysOf (const OrganizedCloud& cloud, const NormalImage& normals)
+{
+  return {cloud.x.data (),   cloud.y.data (),   cloud.z.data (),    normals.x.data (),
+          normals.y.data (), normals.z.data (), cloud.valid.data ()};
+}
+
 /** \brief Points within a tolerance of a plane. */
 pcl::Indices
 pointsOf (const OrganizedCloud& cloud, const NormalImage& normals, float noise, const SupportParameters& parameters,
           const BentPlane& surface)
 {
-  const float minimum_cosine = std::cos (0.6f);
-  constexpr float below = 0.03f;
+  SurfaceTest test;
+  std::copy_n (surface.plane.normal.data (), 3, test.normal);
+  test.offset = surface.plane.offset;
+  std::copy_n (surface.coefficients ().data (), 6, test.bent);
+  test.tolerance = parameters.tolerance;
+  test.noise_tolerance = parameters.noise_tolerance * noise;
+  test.below = 0.03f;
+  test.minimum_cosine = std::cos (0.6f);
+  std::vector<std::uint8_t> near (cloud.size ());
+  laneKernels ().pointsNear (arraysOf (cloud, normals), cloud.size (), test, near.data ());
   pcl::Indices indices;
-  for (std::size_t index = 0; index < cloud.size (); ++index)
-  {
-    if (!cloud.valid[index])
-      continue;
-    const Eigen::Vector3f point = pointAt (cloud, index);
-    const float tolerance = parameters.tolerance + parameters.noise_tolerance * noise * point.z () * point.z ();
-    // The bent surface is only trusted near the plane itself, and beyond the points it was fitted to the plane is the better one.
-    const float flat_height = surface.plane.height (point), bent_height = surface.height (point);
-    if (std::abs (flat_height) > below + 3.0f * tolerance)
-      continue;
-    const float height = std::abs (flat_height) < std::abs (bent_height) ? flat_height : bent_height;
-    if (height >= tolerance || height < -std::max (below, tolerance))
-      continue;
-    const bool aligned = normals.valid[index] &&
-      surface.plane.normal.dot (Eigen::Vector3f (normals.x[index], normals.y[index], normals.z[index])) > minimum_cosine;
-    if (aligned || height < 0.5f * tolerance)
+  indices.reserve (std::count (near.begin (), near.end (), 1));
+  for (std::size_t index = 0; index < near.size (); ++index)
+    if (near[index])
       indices.push_back (static_cast<pcl::index_t> (index));
-  }
   return (indices);
 }
 
@@ -205,10 +214,16 @@ dropIslands (const OrganizedCloud& cloud, pcl::Indices& indices)
   Image<int> components;
   const int count = labelConnectedComponents (mask, components);
   std::vector<int> sizes (count + 1, 0), contour (count + 1, 0), touching (count + 1, 0);
-  for (const pcl::index_t index : indices)
+  int row = 0;
+  for (const pcl::index_t index : indices) // ascending
   {
-    const int column = index % cloud.width, row = index / cloud.width, component = components[index];
+    while (index >= (row + 1) * cloud.width)
+      ++row;
+    const int column = index - row * cloud.width, component = components[index];
     ++sizes[component];
+    if (column > 0 && column < cloud.width - 1 && row > 0 && row < cloud.height - 1 && mask[index - 1] && mask[index + 1] &&
+        mask[index - cloud.width] && mask[index + cloud.width])
+      continue;
     for (const auto& [c, r] : {std::pair<int, int> (column + 1, row), {column - 1, row}, {column, row + 1}, {column, row - 1}})
       if (!mask.contains (c, r) || !mask (c, r))
       {
@@ -327,31 +342,31 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
 
   struct Candidate
   {
-    PlanarPatch patch;
+    const PlanarPatch* patch;
     int label; /**< 0: of no patch in the graph */
   };
   constexpr std::size_t smallest = 200;
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < patches.patches.size (); ++k)
     if (patches.patches[k].pixels.size () >= smallest)
-      candidates.push_back ({patches.patches[k], static_cast<int> (k) + 1});
-  for (PlanarPatch& patch : coarsePatches (cloud, normals, noise))
+      candidates.push_back ({&patches.patches[k], static_cast<int> (k) + 1});
+  const std::vector<PlanarPatch> coarse_patches = coarsePatches (cloud, normals, noise);
+  for (const PlanarPatch& patch : coarse_patches)
     if (patch.pixels.size () >= smallest)
-      candidates.push_back ({std::move (patch), 0});
+      candidates.push_back ({&patch, 0});
   std::stable_sort (candidates.begin (), candidates.end (), [] (const Candidate& a, const Candidate& b) {
-    return (a.patch.pixels.size () > b.patch.pixels.size ());
+    return (a.patch->pixels.size () > b.patch->pixels.size ());
   });
 
   std::vector<std::uint8_t> taken (cloud.size (), 0);
   std::vector<double> scores;
   for (const Candidate& candidate : candidates)
   {
-    const PlanarPatch& patch = candidate.patch;
-    if (areaOf (cloud, patch.pixels, patch.normal, focal_length) < parameters.minimum_area)
-      continue;
+    const PlanarPatch& patch = *candidate.patch;
     const auto known = std::count_if (patch.pixels.begin (), patch.pixels.end (),
                                       [&] (pcl::index_t index) { return (taken[index]); });
-    if (2 * static_cast<std::size_t> (known) > patch.pixels.size ())
+    if (2 * static_cast<std::size_t> (known) > patch.pixels.size () ||
+        areaOf (cloud, patch.pixels, patch.normal, focal_length) < parameters.minimum_area)
       continue;
 
     SupportingPlane plane;
@@ -372,6 +387,7 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
     plane.area = areaOf (cloud, plane.indices, normal, focal_length);
 
     const Footprint footprint (cloud, patch.pixels, normal);
+    const std::vector<OutlineEdge> near_outline = footprint.edges (0.05f), far_outline = footprint.edges (0.15f);
     double over = 0.0, below = 0.0;
     constexpr std::size_t step = 17; // no divisor of usual widths, so that all columns are met
     for (std::size_t index = 0; index < cloud.size (); index += step)
@@ -381,9 +397,9 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
       const Eigen::Vector3f point = pointAt (cloud, index);
       const float height = normal.dot (point) + plane.coefficients[3];
       const float clear = 0.02f + parameters.noise_tolerance * noise * point.z () * point.z ();
-      if (height > clear && height < 0.4f && footprint.contains (point, 0.05f))
+      if (height > clear && height < 0.4f && footprint.contains (point, near_outline))
         over += step;
-      else if (height < -clear && height > -0.3f && footprint.contains (point, 0.15f))
+      else if (height < -clear && height > -0.3f && footprint.contains (point, far_outline))
         below += step;
     }
     double concave = 0.0;
@@ -424,18 +440,22 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
 std::vector<std::uint8_t>
 findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane)
 {
-  constexpr float highest = 0.5f, margin = 0.05f;
   const Eigen::Vector3f normal = plane.coefficients.head<3> ();
   const Footprint footprint (cloud, plane.indices, normal);
+  const std::vector<OutlineEdge> outline = footprint.edges (0.05f);
   std::vector<std::uint8_t> over (cloud.size (), 0);
-  for (std::size_t index = 0; index < cloud.size (); ++index)
-  {
-    if (!cloud.valid[index])
-      continue;
-    const Eigen::Vector3f point = pointAt (cloud, index);
-    const float height = normal.dot (point) + plane.coefficients[3];
-    over[index] = height > 0.0f && height < highest && footprint.contains (point, margin);
-  }
+  if (outline.empty ())
+    return (over);
+  RoomTest test;
+  std::copy_n (normal.data (), 3, test.normal);
+  test.offset = plane.coefficients[3];
+  test.lowest = 0.0f;
+  test.highest = 0.5f;
+  std::copy_n (footprint.axis1 ().data (), 3, test.axis1);
+  std::copy_n (footprint.axis2 ().data (), 3, test.axis2);
+  test.edges = outline.data ();
+  test.edge_count = static_cast<int> (outline.size ());
+  laneKernels ().pointsOver (arraysOf (cloud, NormalImage ()), cloud.size (), test, over.data ());
   return (over);
 }
 
@@ -453,8 +473,7 @@ cutAlongPlanes (const OrganizedCloud& cloud, const std::vector<SupportingPlane>&
   std::vector<std::uint8_t> is_background (1, 0);
   for (std::size_t plane = 0; plane < planes.size (); ++plane)
     is_background.push_back (1);
-  for (std::size_t index = 0; index < cloud.size (); ++index)
-    labels[index] = background[index];
+  labels.data = background.data;
 
   // Pieces of the same old patch that hang together become a patch, in the order of the old ones.
   std::vector<pcl::index_t> stack;

@@ -268,6 +268,44 @@ TEST_F (SegmentProgram, oneBadSceneDoesNotStopTheOthers)
   EXPECT_EQ (test::namesIn (folder_ / "out"), (Names{"a", "c"}));
 }
 
+TEST_F (SegmentProgram, reportsScenesInTheOrderTheyAreGivenIn)
+{
+  // The small one and the one that cannot be read are done long before the others could be.
+  save ("large.pcd", rendered (2));
+  pcl::PointCloud<pcl::PointXYZRGB> small (32, 24);
+  for (int index = 0; index < 32 * 24; ++index)
+    small[index].getVector3fMap () << 0.002f * static_cast<float> (index % 32 - 16),
+        0.002f * static_cast<float> (index / 32 - 12), 1.0f;
+  save ("small.pcd", small);
+  test::writeText (folder_ / "bad.pcd", "nonsense");
+  save ("last.pcd", rendered (3));
+  const Outcome outcome = run ("large.pcd small.pcd bad.pcd last.pcd -output_dir out");
+  EXPECT_EQ (outcome.exit_code, 1);
+  std::size_t at = 0;
+  for (const char* text : {"[1/4] large.pcd: ", "[2/4] small.pcd: ", "bad.pcd: not a PCD file", "[4/4] last.pcd: "})
+  {
+    const std::size_t found = outcome.errors.find (text, at);
+    ASSERT_NE (found, std::string::npos) << text << " in\n" << outcome.errors;
+    at = found;
+  }
+  EXPECT_LT (outcome.output.find ("out/large: "), outcome.output.find ("out/small: "));
+  EXPECT_LT (outcome.output.find ("out/small: "), outcome.output.find ("out/last: "));
+}
+
+TEST_F (SegmentProgram, givesTheSameForAStreamAsForEachScene)
+{
+  for (const int seed : {1, 2, 3})
+  {
+    save ("in/" + std::to_string (seed) + ".pcd", rendered (seed));
+    EXPECT_EQ (run ("in/" + std::to_string (seed) + ".pcd -output_dir single").exit_code, 0);
+  }
+  EXPECT_EQ (run ("in -output_dir stream").exit_code, 0);
+  for (const char* name : {"1/segments.json", "2/segments.json", "3/segments.json", "3/labels.pcd", "3/attention_points.csv"})
+    EXPECT_EQ (test::readText (folder_ / ("single/" + std::string (name))),
+               test::readText (folder_ / ("stream/" + std::string (name))))
+        << name;
+}
+
 TEST_F (SegmentProgram, refusesBadInputsWithOneLine)
 {
   const std::string flags = " -output_dir out";

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 using namespace pcl_attention;
@@ -414,6 +415,45 @@ TEST (PlanarPatches, LeftOversJoinTheNearestNeighbourWithinReach)
   // The points are 1.5 mm apart.
   parameters.reassign_distance = 0.001f;
   EXPECT_EQ (patchesOf (frame, parameters).labels (31, 20), 0);
+}
+
+TEST (PlanarPatches, AreThoseOfPclsRegionGrowing)
+{
+  for (const SceneKind kind : {SceneKind::clutter, SceneKind::cylinders})
+    for (const double noise : {0.0, 1.0})
+      for (const PlaneModel model : {PlaneModel::initial, PlaneModel::running})
+      {
+        Frame frame = shapes::rendered (kind, 3, 203, 151, noise);
+        shapes::punchHoles (frame, 4, 0.02);
+        // No two curvatures alike, as PCL takes points of equal curvature in any order.
+        std::vector<std::size_t> order (frame.cloud.size ());
+        std::iota (order.begin (), order.end (), 0);
+        std::stable_sort (order.begin (), order.end (), [&] (std::size_t a, std::size_t b) {
+          return (frame.normals.curvature[a] < frame.normals.curvature[b]);
+        });
+        for (std::size_t rank = 0; rank < order.size (); ++rank)
+          frame.normals.curvature[order[rank]] = static_cast<float> (rank) * 1e-6f;
+        PatchParameters parameters;
+        parameters.plane_model = model;
+        const PlanarPatches on_grid = patchesOf (frame, parameters);
+        parameters.method = PatchMethod::region_growing;
+        const PlanarPatches by_pcl = patchesOf (frame, parameters);
+        EXPECT_GT (on_grid.patches.size (), 10u);
+        EXPECT_EQ (on_grid.labels.data, by_pcl.labels.data);
+      }
+}
+
+TEST (PlanarPatches, OfEqualCurvatureStartAtTheFirstPoint)
+{
+  // Two walls side by side, both flat: the left one is met first.
+  Frame frame = shapes::emptyFrame (20, 6);
+  for (int row = 0; row < 6; ++row)
+    for (int column = 0; column < 20; ++column)
+      frame.set (frame.index (column, row), {0.001 * column, 0.001 * row, column < 10 ? 1.0 : 1.5}, {0, 0, -1});
+  const PlanarPatches patches = patchesOf (frame);
+  ASSERT_EQ (patches.patches.size (), 2u);
+  EXPECT_EQ (patches.labels (0, 0), 1);
+  EXPECT_EQ (patches.labels (19, 5), 2);
 }
 
 TEST (PlanarPatches, WithoutPointsOrNormalsThereAreNone)

@@ -27,6 +27,15 @@ struct Image
     data.assign (static_cast<std::size_t> (columns) * rows, value);
   }
 
+  /** \brief Set the size; the values are not defined. */
+  void
+  resize (int columns, int rows)
+  {
+    width = columns;
+    height = rows;
+    data.resize (static_cast<std::size_t> (columns) * rows);
+  }
+
   std::size_t
   size () const { return (data.size ()); }
 

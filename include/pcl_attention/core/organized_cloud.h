@@ -26,6 +26,22 @@ struct OrganizedCloud
   bool
   hasColor () const { return (!red.empty ()); }
 
+  /** \brief Set the size; the points' values are not defined, and there are no colours. */
+  void
+  resize (int columns, int rows)
+  {
+    width = columns;
+    height = rows;
+    const std::size_t count = static_cast<std::size_t> (columns) * rows;
+    x.resize (count);
+    y.resize (count);
+    z.resize (count);
+    valid.resize (count);
+    red.clear ();
+    green.clear ();
+    blue.clear ();
+  }
+
   /** \brief Set the size and mark every point as not valid. */
   void
   reset (int columns, int rows)
@@ -53,6 +69,18 @@ struct NormalImage
   std::size_t
   size () const { return (valid.size ()); }
 
+  /** \brief Set the size; the values are not defined. */
+  void
+  resize (std::size_t count)
+  {
+    x.resize (count);
+    y.resize (count);
+    z.resize (count);
+    curvature.resize (count);
+    valid.resize (count);
+  }
+
+  /** \brief Set the size and mark every normal as not valid. */
   void
   reset (std::size_t count)
   {

@@ -48,9 +48,10 @@ struct AttentionParameters
 struct StageTimes
 {
   double normals{0.0}, saliency{0.0}, attention_points{0.0}, patches{0.0}, segmentation{0.0};
+  double overlap{0.0}; /**< in which stages ran beside each other, so that the sum of all counts it twice */
 
   double
-  total () const { return (normals + saliency + attention_points + patches + segmentation); }
+  total () const { return (normals + saliency + attention_points + patches + segmentation - overlap); }
 };
 
 /** \brief Cloud in, objects out, one fixation at a time; every stage runs when its result is first asked for, and each can be
@@ -125,6 +126,11 @@ private:
   /** \brief Patches, their graph and the planes of the background. */
   void
   preparePatches ();
+
+  /** \brief All that the first object needs: with several threads one of them prepares the patches while the others share the
+    * saliency, in which it then joins them. */
+  void
+  prepareObjects ();
   CompactClustering&
   clustering ();
   void
@@ -186,6 +192,7 @@ private:
   std::vector<AttentionPoint> queue_; /**< in the order they are visited: the preferred points, coverage points, the others */
   std::size_t next_point_{0};
   bool queue_filled_{false};
+  bool points_are_users_{false}; /**< the order is the user's as well */
   std::vector<Waiting> waiting_; /**< in the order of their points */
   std::vector<std::uint8_t> claimed_; /**< 1 where a segment was found */
   int segments_found_{0};

@@ -19,9 +19,17 @@ enum class PlaneModel
   running  /**< the mean normal and point of the patch so far: follows gently curved surfaces */
 };
 
+/** \brief What grows the patches. */
+enum class PatchMethod
+{
+  grid_growing,  /**< flat arrays over the pixel grid */
+  region_growing /**< pcl::RegionGrowing, which points of equal curvature reach in any order */
+};
+
 /** \brief Settings of the normal clustering (paper IV-A). */
 struct PatchParameters
 {
+  PatchMethod method{PatchMethod::grid_growing};
   PlaneModel plane_model{PlaneModel::running};
   float maximum_angle{0.5f};       /**< between a point's normal and the plane's, radians, 0..pi/2 */
   float maximum_distance{0.008f};  /**< of a point from the plane, metres */
@@ -46,7 +54,7 @@ struct PlanarPatches
   std::vector<PlanarPatch> patches; /**< in the order they were grown: lowest curvature first */
 };
 
-/** \brief Cluster normals into planar patches, starting at the lowest curvature, on pcl::RegionGrowing (paper IV-A).
+/** \brief Cluster normals into planar patches, starting at the lowest curvature (paper IV-A).
   * Every point without a patch after that is re-assigned to a neighbouring patch or left as noise. */
 PCL_ATTENTION_EXPORTS void
 extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters,

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lanes.h"
+#include "lane_kernels.h"
+
+namespace pcl_attention::PCL_ATTENTION_INSTRUCTION_SET
+{
+
+namespace
+{
+
+/** \brief Some points, the lanes behind the last one not valid. */
+struct Points
+{
+  LaneVector position;
+  LaneMask valid;
+};
+
+inline Points
+pointsFrom (const PointArrays& points, std::size_t index, int count)
+{
+  return {{load (points.x + index, count), load (points.y + index, count), load (points.z + index, count)},
+          loadFlags (points.valid + index, count)};
+}
+
+inline Lanes
+product (const float (&a)[3], const LaneVector& b)
+{
+  return (a[0] * b.x + (a[1] * b.y + a[2] * b.z));
+}
+
+} // namespace
+
+void
+pointsNear (const PointArrays& points, std::size_t count, const SurfaceTest& test, std::uint8_t* near)
+{
+  for (std::size_t index = 0; index < count; index += lane_count)
+  {
+    const int lanes = count - index >= lane_count ? lane_count : static_cast<int> (count - index);
+    const Points p = pointsFrom (points, index, lanes);
+    const Lanes z = p.position.z;
+    const Lanes tolerance = test.tolerance + test.noise_tolerance * z * z;
+    // The bent surface is only trusted near the plane itself, and beyond the points it was fitted to the plane is the better one.
+    const Lanes flat_height = product (test.normal, p.position) + test.offset;
+    LaneMask result = p.valid & (absolute (flat_height) <= test.below + 3.0f * tolerance);
+    if (any (result))
+    {
+      const Lanes depth = select (p.valid, z, broadcast (1.0f));
+      const Lanes u = p.position.x / depth, v = p.position.y / depth;
+      const Lanes inverse_depth = ((test.bent[0] + test.bent[2] * v) + (test.bent[1] * u + test.bent[3] * (u * u))) +
+                                  (test.bent[4] * (u * v) + test.bent[5] * (v * v));
+      const LaneMask bends = inverse_depth > 1e-3f;
+      const Lanes bent_height = (z - 1.0f / select (bends, inverse_depth, broadcast (1.0f))) *
+                                (test.normal[0] * u + (test.normal[1] * v + test.normal[2]));
+      const Lanes height = select (~bends | (absolute (flat_height) < absolute (bent_height)), flat_height, bent_height);
+      const Lanes lowest = -maximum (broadcast (test.below), tolerance);
+      const LaneVector normal{load (points.normal_x + index, lanes), load (points.normal_y + index, lanes),
+                              load (points.normal_z + index, lanes)};
+      result &= (height < tolerance) & (height >= lowest) &
+                ((product (test.normal, normal) > test.minimum_cosine) | (height < 0.5f * tolerance));
+    }
+    storeBytes (result & 1, near + index, lanes);
+  }
+}
+
+void
+pointsOver (const PointArrays& points, std::size_t count, const RoomTest& test, std::uint8_t* over)
+{
+  for (std::size_t index = 0; index < count; index += lane_count)
+  {
+    const int lanes = count - index >= lane_count ? lane_count : static_cast<int> (count - index);
+    const Points p = pointsFrom (points, index, lanes);
+    const Lanes height = product (test.normal, p.position) + test.offset;
+    LaneMask result = p.valid & (height > test.lowest) & (height < test.highest);
+    if (any (result))
+    {
+      const Lanes x = product (test.axis1, p.position), y = product (test.axis2, p.position);
+      for (const OutlineEdge* edge = test.edges; edge != test.edges + test.edge_count; ++edge)
+        result &= edge->normal_x * (x - edge->x) + edge->normal_y * (y - edge->y) <= edge->limit;
+    }
+    storeBytes (result & 1, over + index, lanes);
+  }
+}
+
+} // namespace pcl_attention::PCL_ATTENTION_INSTRUCTION_SET

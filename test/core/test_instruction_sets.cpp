@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every instruction set and every number of threads gives the same bits.
+#include "../../src/core/instruction_set.h"
+#include "shapes.h"
+#include <pcl_attention/core/pipeline.h>
+#include <pcl_attention/core/pyramid.h>
+
+#include <gtest/gtest.h>
+
+using namespace pcl_attention;
+
+namespace
+{
+
+/** \brief Everything that the inner loops have a part in. */
+struct Results
+{
+  NormalImage normals;
+  OrganizedCloud half;
+  NormalImage half_normals;
+  SymmetryMap symmetry;
+  SaliencyMaps saliency;
+  std::vector<SupportingPlane> planes;
+  std::vector<std::uint8_t> over;
+};
+
+Results
+resultsOf (const OrganizedCloud& cloud, const AttentionParameters& parameters, int threads)
+{
+  Results results;
+  estimateNormals (cloud, parameters.normals, threads, results.normals);
+  halve (cloud, results.normals, results.half, results.half_normals);
+  computeSymmetry (cloud, results.normals, parameters.saliency, threads, results.symmetry);
+  computeSaliency (cloud, results.normals, parameters.saliency, threads, results.saliency);
+  PlanarPatches patches;
+  extractPlanarPatches (cloud, results.normals, parameters.patches, patches);
+  const PatchGraph graph = buildPatchGraph (cloud, results.normals, patches.labels,
+                                            static_cast<int> (patches.patches.size ()), parameters.patch_graph);
+  results.planes = findSupportingPlanes (cloud, results.normals, patches, graph, parameters.support);
+  if (!results.planes.empty ())
+    results.over = findPointsOver (cloud, results.planes.front ());
+  return (results);
+}
+
+void
+expectSame (const Results& a, const Results& b)
+{
+  EXPECT_EQ (a.normals.x, b.normals.x);
+  EXPECT_EQ (a.normals.y, b.normals.y);
+  EXPECT_EQ (a.normals.z, b.normals.z);
+  EXPECT_EQ (a.normals.curvature, b.normals.curvature);
+  EXPECT_EQ (a.normals.valid, b.normals.valid);
+  EXPECT_EQ (a.half.x, b.half.x);
+  EXPECT_EQ (a.half.z, b.half.z);
+  EXPECT_EQ (a.half.valid, b.half.valid);
+  EXPECT_EQ (a.half_normals.y, b.half_normals.y);
+  EXPECT_EQ (a.half_normals.valid, b.half_normals.valid);
+  EXPECT_EQ (a.symmetry.symmetry.data, b.symmetry.symmetry.data);
+  EXPECT_EQ (a.symmetry.winning_axis.data, b.symmetry.winning_axis.data);
+  EXPECT_EQ (a.saliency.saliency.data, b.saliency.saliency.data);
+  EXPECT_EQ (a.saliency.winning_level.data, b.saliency.winning_level.data);
+  EXPECT_EQ (a.saliency.winning_plane.data, b.saliency.winning_plane.data);
+  ASSERT_EQ (a.planes.size (), b.planes.size ());
+  for (std::size_t k = 0; k < a.planes.size (); ++k)
+  {
+    EXPECT_EQ (a.planes[k].indices, b.planes[k].indices);
+    EXPECT_EQ (a.planes[k].coefficients, b.planes[k].coefficients);
+  }
+  EXPECT_EQ (a.over, b.over);
+}
+
+/** \brief Sizes that no number of lanes divides, holes, and surfaces so exact that samples lie on the planes of symmetry. */
+std::vector<OrganizedCloud>
+clouds ()
+{
+  std::vector<OrganizedCloud> all;
+  for (const auto& [width, height] : std::vector<std::pair<int, int>>{{161, 121}, {37, 23}, {5, 9}})
+    all.push_back (shapes::rendered (SceneKind::clutter, 3, width, height, 1.0).cloud);
+  all.push_back (shapes::rendered (SceneKind::cylinders, 2, 320, 240, 1.0).cloud);
+  all.push_back (shapes::rendered (SceneKind::stacked, 1, 200, 150, 0.0).cloud);
+  shapes::Frame holes = shapes::hills (4, {93, 61});
+  shapes::punchHoles (holes, 2, 0.3);
+  all.push_back (holes.cloud);
+  all.push_back (shapes::look (shapes::plane ({0, 0, 1}, {0, 0, -1}), {50, 40}).cloud);
+  return (all);
+}
+
+/** \brief Goes back to the widest instruction set, whatever a test ends with. */
+class InstructionSets : public ::testing::Test
+{
+protected:
+  void
+  TearDown () override
+  {
+    useInstructionSet (instructionSets ().back ());
+  }
+};
+
+} // namespace
+
+TEST_F (InstructionSets, AllGiveTheSame)
+{
+  AttentionParameters other;
+  other.normals.radius = 7;
+  other.saliency.window_radius = 5;
+  other.saliency.convexity_gate = false;
+  for (const OrganizedCloud& cloud : clouds ())
+    for (const AttentionParameters& parameters : {AttentionParameters (), other})
+    {
+      ASSERT_TRUE (useInstructionSet ("baseline"));
+      const Results baseline = resultsOf (cloud, parameters, 1);
+      for (const std::string& name : instructionSets ())
+      {
+        SCOPED_TRACE (::testing::Message () << name << ", " << cloud.width << "x" << cloud.height);
+        ASSERT_TRUE (useInstructionSet (name));
+        for (const int threads : {1, 2, 3, 8})
+          expectSame (baseline, resultsOf (cloud, parameters, threads));
+      }
+    }
+}
+
+TEST_F (InstructionSets, BeginWithTheBaselineAndRefuseOthers)
+{
+  EXPECT_EQ (instructionSets ().front (), "baseline");
+  EXPECT_FALSE (useInstructionSet ("mmx"));
+  EXPECT_FALSE (useInstructionSet (""));
+}
+
+TEST_F (InstructionSets, StagesBesideEachOtherGiveTheSameObjects)
+{
+  for (const auto kind : {SceneKind::clutter, SceneKind::occluded})
+  {
+    const OrganizedCloud cloud = shapes::rendered (kind, 5, 320, 240, 1.0).cloud;
+    const auto segmentsOf = [&cloud] (int threads) {
+      AttentionPipeline pipeline;
+      pipeline.start (OrganizedCloud (cloud), Eigen::Isometry3f::Identity (), AttentionParameters (), threads);
+      std::vector<AttentionSegment> segments;
+      for (AttentionSegment segment; pipeline.next (segment);)
+        segments.push_back (segment);
+      EXPECT_GE (pipeline.times ().overlap, 0.0);
+      EXPECT_GT (pipeline.times ().total (), 0.0);
+      return (segments);
+    };
+    const std::vector<AttentionSegment> one = segmentsOf (1);
+    EXPECT_GE (one.size (), 2u);
+    for (const int threads : {2, 3, 8})
+    {
+      const std::vector<AttentionSegment> more = segmentsOf (threads);
+      ASSERT_EQ (more.size (), one.size ()) << threads << " threads";
+      for (std::size_t k = 0; k < one.size (); ++k)
+      {
+        EXPECT_EQ (more[k].indices, one[k].indices);
+        EXPECT_EQ (more[k].patches, one[k].patches);
+        EXPECT_EQ (more[k].attention_point.column, one[k].attention_point.column);
+        EXPECT_EQ (more[k].compactness, one[k].compactness);
+        EXPECT_EQ (more[k].confidence, one[k].confidence);
+      }
+    }
+  }
+}
