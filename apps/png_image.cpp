@@ -7,6 +7,12 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <png.h>
 #include <stdexcept>
 
 namespace pcl_attention
@@ -37,7 +43,108 @@ encode (const std::uint8_t* values, int width, int height, int channels)
   return (std::string (bytes, bytes + result->GetNumberOfValues ()));
 }
 
+constexpr std::uint64_t most_pixels = std::uint64_t{1} << 26;
+
+void
+checkImageSize (std::uint64_t width, std::uint64_t height)
+{
+  if (width * height > most_pixels)
+    throw std::runtime_error ("an image of " + std::to_string (width) + " x " + std::to_string (height) +
+                              " pixels, more than the " + std::to_string (most_pixels) + " that are taken");
+}
+
+/** \brief libpng's reader of one file, which is freed with it. */
+struct PngReader
+{
+  explicit PngReader (const std::string& path) : file (std::fopen (path.c_str (), "rb"))
+  {
+    if (!file)
+      throw std::runtime_error (std::string ("cannot be opened: ") + std::strerror (errno));
+    const auto stop = [] (png_structp reader, png_const_charp text) {
+      std::strncpy (static_cast<PngReader*> (png_get_error_ptr (reader))->error, text, sizeof (error) - 1);
+      png_longjmp (reader, 1);
+    };
+    png = png_create_read_struct (PNG_LIBPNG_VER_STRING, this, stop, [] (png_structp, png_const_charp) {});
+    info = png ? png_create_info_struct (png) : nullptr;
+  }
+  ~PngReader ()
+  {
+    png_destroy_read_struct (&png, &info, nullptr);
+    std::fclose (file);
+  }
+  PngReader (const PngReader&) = delete;
+  PngReader& operator= (const PngReader&) = delete;
+
+  // libpng leaves these two by longjmp: they have nothing to be destroyed.
+  bool
+  readHeader ()
+  {
+    if (!info || setjmp (png_jmpbuf (png)) != 0)
+      return (false);
+    png_init_io (png, file);
+    png_read_info (png, info);
+    return (true);
+  }
+
+  bool
+  readRows (png_bytep* rows)
+  {
+    if (setjmp (png_jmpbuf (png)) != 0)
+      return (false);
+    png_set_swap (png); // PNG stores the high byte first
+    png_set_interlace_handling (png);
+    png_read_image (png, rows);
+    png_read_end (png, nullptr);
+    return (true);
+  }
+
+  std::FILE* file{nullptr};
+  png_structp png{nullptr};
+  png_infop info{nullptr};
+  char error[128]{};
+};
+
 } // namespace
+
+Image<Color>
+readColorPng (const std::string& path)
+{
+  png_image description{};
+  description.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file (&description, path.c_str ()) == 0)
+    throw std::runtime_error (std::string ("cannot be read as PNG: ") + description.message);
+  const std::unique_ptr<png_image, decltype (&png_image_free)> free_at_end (&description, png_image_free);
+  checkImageSize (description.width, description.height);
+  description.format = PNG_FORMAT_RGB;
+  Image<Color> image (static_cast<int> (description.width), static_cast<int> (description.height));
+  const png_color black{0, 0, 0};
+  if (png_image_finish_read (&description, &black, image.data.data (), 0, nullptr) == 0)
+    throw std::runtime_error (std::string ("damaged: ") + description.message);
+  return (image);
+}
+
+Image<std::uint16_t>
+readDepthPng (const std::string& path)
+{
+  PngReader reader (path);
+  if (!reader.readHeader ())
+    throw std::runtime_error (std::string ("cannot be read as PNG: ") + reader.error);
+  const png_uint_32 width = png_get_image_width (reader.png, reader.info);
+  const png_uint_32 height = png_get_image_height (reader.png, reader.info);
+  checkImageSize (width, height);
+  if (png_get_bit_depth (reader.png, reader.info) != 16 ||
+      png_get_color_type (reader.png, reader.info) != PNG_COLOR_TYPE_GRAY)
+    throw std::runtime_error (
+        "not a depth image: that has to be a 16-bit grey PNG, with metres by -depth_scale; a colour "
+        "image goes with -color");
+  Image<std::uint16_t> image (static_cast<int> (width), static_cast<int> (height));
+  std::vector<png_bytep> rows;
+  for (png_uint_32 row = 0; row < height; ++row)
+    rows.push_back (reinterpret_cast<png_bytep> (image.data.data () + static_cast<std::size_t> (row) * width));
+  if (!reader.readRows (rows.data ()))
+    throw std::runtime_error (std::string ("damaged: ") + reader.error);
+  return (image);
+}
 
 std::string
 encodePng (const Image<std::uint8_t>& image)

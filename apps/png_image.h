@@ -17,4 +17,12 @@ using Color = std::array<std::uint8_t, 3>;
 std::string encodePng (const Image<std::uint8_t>& image);
 std::string encodePng (const Image<Color>& image);
 
+/** \brief Read a PNG file as 8-bit colour, whatever it holds; by libpng, as VTK 9.1's reader crashes on a file that is
+ * cut short. \throws std::runtime_error with what is wrong, without the name of the file */
+Image<Color> readColorPng (const std::string& path);
+
+/** \brief Read the values of a 16-bit grey PNG file, as which depth images are stored.
+ * \throws std::runtime_error with what is wrong, without the name of the file */
+Image<std::uint16_t> readDepthPng (const std::string& path);
+
 } // namespace pcl_attention

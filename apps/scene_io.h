@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "depth_camera.h"
+
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -27,11 +30,20 @@ struct Scene
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/** \brief Read a PCD file with the fields x, y, z and optionally rgb or rgba.
- * \param[in] path the file
- * \param[in] image_width columns of a cloud that is stored as one row although it holds the whole image row by row; 0:
- * an unorganized cloud is an error \throws std::runtime_error: one line that names the file, what is wrong and what to
- * do about it */
-Scene readScene (const std::string& path, int image_width = 0);
+/** \brief What a file does not tell about itself. */
+struct SceneOptions
+{
+  int image_width{0}; /**< columns of a cloud that is stored as one row although it holds the whole image row by row; 0:
+                        not known */
+  DepthCamera camera; /**< of a depth image, or to organize an unorganized cloud by */
+  std::string color; /**< for depth images: the colour image, or a folder with one of the same name; empty: no colour */
+  float max_range{std::numeric_limits<float>::infinity ()}; /**< points farther before the sensor are holes, metres */
+};
+
+/** \brief Read a scene: a PCD or PLY file with x, y, z and optionally colour, or a 16-bit grey PNG file with depths.
+ * What is not organized is organized by the options: by image_width as it is stored, or by the camera, where of the
+ * points of a pixel the nearest is taken. \throws std::runtime_error: one line that names the file, what is wrong and
+ * what to do about it */
+Scene readScene (const std::string& path, const SceneOptions& options = {});
 
 } // namespace pcl_attention

@@ -4,10 +4,10 @@
 namespace pcl_attention
 {
 
-SceneStream::SceneStream (const std::vector<std::string>& paths, int image_width, const AttentionParameters& parameters,
+SceneStream::SceneStream (const std::vector<std::string>& paths, const SceneOptions& scene_options, const AttentionParameters& parameters,
                           const NamedPrior& prior, unsigned int threads)
 {
-  reader_ = std::thread ([this, paths, image_width] {
+  reader_ = std::thread ([this, paths, scene_options] {
     for (const std::string& path : paths)
     {
       // No more than three scenes are in memory: one a stage.
@@ -16,7 +16,7 @@ SceneStream::SceneStream (const std::vector<std::string>& paths, int image_width
       Item item;
       try
       {
-        item.scene = std::make_unique<Scene> (readScene (path, image_width));
+        item.scene = std::make_unique<Scene> (readScene (path, scene_options));
       }
       catch (...)
       {

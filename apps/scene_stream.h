@@ -23,9 +23,9 @@ public:
     std::exception_ptr error; /**< why it could not be read or segmented */
   };
 
-  /** \param[in] image_width see \ref readScene
+  /** \param[in] scene_options see \ref readScene
    * \param[in] prior,threads see \ref segmentScene */
-  SceneStream (const std::vector<std::string>& paths, int image_width, const AttentionParameters& parameters,
+  SceneStream (const std::vector<std::string>& paths, const SceneOptions& scene_options, const AttentionParameters& parameters,
                const NamedPrior& prior, unsigned int threads);
 
   /** \brief Gives up what is not yet read and waits for the scene in work. */

@@ -4,6 +4,7 @@
 #include "output_folder.h"
 #include "parameter_flags.h"
 #include "prior_flags.h"
+#include "scene_flags.h"
 #include "scene_stream.h"
 #include "segment_writer.h"
 
@@ -30,7 +31,7 @@ struct Settings
   NamedParameters parameters;
   NamedPrior prior;
   int threads{0};
-  int image_width{0};
+  SceneOptions scene_options;
 };
 
 /** \brief Print what the user should know about a scene. That there is no colour is said once: it holds for all scenes
@@ -71,7 +72,7 @@ processScenes (const std::vector<std::string>& paths, const Settings& settings)
 {
   std::size_t failures = 0;
   bool no_color_said = false;
-  SceneStream scenes (paths, settings.image_width, settings.parameters.values, settings.prior,
+  SceneStream scenes (paths, settings.scene_options, settings.parameters.values, settings.prior,
                       static_cast<unsigned int> (settings.threads));
   for (std::size_t i = 0; i < paths.size (); ++i)
   {
@@ -113,18 +114,18 @@ main (int argc, char** argv)
   mallopt (M_ARENA_MAX, 1);
 #endif
   namespace po = boost::program_options;
-  CommandLine command_line (std::string (program) + " SCENE... -output_dir DIR [flags]",
-                            "Finds the objects of RGB-D scenes in order of attention. SCENE: organized PCD files (x, "
-                            "y, z in metres, rgb or rgba), "
-                            "or folders with them.\nWrites into DIR/<stem of the scene>/, which is replaced as a "
-                            "whole: attention_points.csv, "
-                            "segments.json,\nmask_0001.png ..., labels.pcd, overview.png and summary.json.\n\n"
-                            "Exit code: 0, 1 if a scene failed, 2 for a bad command line.");
+  CommandLine command_line (
+      std::string (program) + " SCENE... -output_dir DIR [flags]",
+      "Finds the objects of RGB-D scenes in order of attention. SCENE: organized PCD or PLY files "
+      "(x, y, z in metres, rgb or rgba),\nunorganized ones or depth images (16-bit PNG) with "
+      "-intrinsics, or folders with them.\nWrites into DIR/<stem of the scene>/, which is replaced "
+      "as a whole: attention_points.csv, segments.json,\nmask_0001.png ..., labels.pcd, "
+      "overview.png and summary.json.\n\n"
+      "Exit code: 0, 1 if a scene failed, 2 for a bad command line.");
   command_line.addOptions () ("output_dir", po::value<std::string> (), "folder for the results; made if need be") (
       "threads", po::value<int> ()->default_value (0),
-      "number of threads, 0 for all processors; does not change the results") (
-      "image_width", po::value<int> ()->default_value (0),
-      "columns of an image that a PCD file holds as one row, in pixels; 0: such a file is an error");
+      "number of threads, 0 for all processors; does not change the results");
+  addSceneFlags (command_line);
   addPriorFlags (command_line);
   addParameterFlags (command_line);
   command_line.parse (argc, argv);
@@ -133,11 +134,9 @@ main (int argc, char** argv)
   settings.parameters = parametersFromFlags (command_line);
   settings.prior = priorFromFlags (command_line);
   settings.threads = command_line.get<int> ("threads");
-  settings.image_width = command_line.get<int> ("image_width");
+  settings.scene_options = sceneOptionsFromFlags (command_line);
   if (settings.threads < 0)
     command_line.fail ("-threads is " + std::to_string (settings.threads) + ", but must be 0 or more");
-  if (settings.image_width < 0)
-    command_line.fail ("-image_width is " + std::to_string (settings.image_width) + ", but must be 0 or more");
   if (command_line.positional ().empty ())
     command_line.fail ("no scene given");
   if (!command_line.has ("output_dir") || command_line.get<std::string> ("output_dir").empty ())
@@ -146,7 +145,11 @@ main (int argc, char** argv)
 
   try
   {
-    const std::vector<std::string> paths = listScenes (command_line.positional ());
+    // A folder of PNG files is one of depth images only where the camera is known: it may be one of results.
+    std::vector<std::string> extensions{".pcd", ".ply"};
+    if (settings.scene_options.camera.isKnown ())
+      extensions.push_back (".png");
+    const std::vector<std::string> paths = listScenes (command_line.positional (), extensions);
     OutputFolder::prepareParent (settings.output_folder);
     return (exitCode (program, processScenes (paths, settings) == 0 ? EXIT_SUCCESS : EXIT_FAILURE));
   }

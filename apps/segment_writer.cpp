@@ -4,6 +4,7 @@
 #include "number_text.h"
 #include "overview_image.h"
 #include "png_image.h"
+#include <pcl_attention/version.h>
 
 #include <nlohmann/json.hpp>
 #include <pcl/conversions.h>

@@ -81,7 +81,7 @@ sceneCategory (const std::string& path)
 }
 
 std::vector<std::string>
-listScenes (const std::vector<std::string>& paths)
+listScenes (const std::vector<std::string>& paths, const std::vector<std::string>& extensions)
 {
   std::vector<std::string> scenes;
   for (const std::string& path : paths)
@@ -96,11 +96,17 @@ listScenes (const std::vector<std::string>& paths)
     std::vector<std::string> files;
     for (const fs::directory_entry& entry : fs::directory_iterator (path))
     {
-      if (entry.is_regular_file () && entry.path ().extension () == ".pcd")
+      const std::string extension = entry.path ().extension ().string ();
+      if (entry.is_regular_file () && std::find (extensions.begin (), extensions.end (), extension) != extensions.end ())
         files.push_back (entry.path ().string ());
     }
     if (files.empty ())
-      throw std::runtime_error (path + ": a folder without a PCD file");
+    {
+      std::string names;
+      for (const std::string& extension : extensions)
+        names += (names.empty () ? "" : " or ") + extension;
+      throw std::runtime_error (path + ": a folder without a " + names + " file");
+    }
     std::sort (files.begin (), files.end ());
     scenes.insert (scenes.end (), files.begin (), files.end ());
   }

@@ -25,10 +25,12 @@ struct LabelledScene
  * \param[in] path the scene's file; it need not exist */
 std::string sceneCategory (const std::string& path);
 
-/** \brief The scenes that a list of files and folders stands for: files as they are, a folder's *.pcd files (not those
- * of its subfolders) by name. \throws std::runtime_error that names the path which does not exist, the folder without a
- * PCD file, or the two scenes of the same stem (results are found by stem) */
-std::vector<std::string> listScenes (const std::vector<std::string>& paths);
+/** \brief The scenes that a list of files and folders stands for: files as they are, a folder's files (not those of its
+ * subfolders) by name. \param[in] extensions of the files that are taken from a folder
+ * \throws std::runtime_error that names the path which does not exist, the folder without such a file, or the two scenes
+ * of the same stem (results are found by stem) */
+std::vector<std::string> listScenes (const std::vector<std::string>& paths,
+                                     const std::vector<std::string>& extensions = {".pcd"});
 
 /** \brief Read a PCD file with the fields x, y, z and label (4-byte integer); colour is read where there is any.
  *

@@ -2,7 +2,8 @@
 # The long checks: what .ci/run has no time for. One line a check at the end; fails if one of them failed.
 #
 # Usage: scripts/check_all.sh [CHECK...]
-# CHECK: release static clang debug asan tsan coverage scripts; without one, all of them in this order.
+# CHECK: release static clang library debug asan tsan coverage packages documentation scripts; without one, all of them in
+# this order.
 set -euo pipefail
 
 # shellcheck source=scripts/common.sh
@@ -20,6 +21,13 @@ build_and_test_in() { # FOLDER CMAKE_ARGUMENT...
     ctest --test-dir "$folder" --parallel 2 --no-tests=error --output-on-failure
 }
 
+# As a user's project has it in a subdirectory: nothing but the library, without OpenMP, static, by the other compiler.
+build_library_alone() {
+  cmake -S test/drop_in/subdirectory -B build/library -G Ninja -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ \
+    -D BUILD_SHARED_LIBS=OFF -D PCL_ATTENTION_OPENMP=OFF && cmake --build build/library --parallel 2 &&
+    build/library/from_depth_image | grep '^2: '
+}
+
 # Called in a condition, where set -e does not reach: hence the &&.
 check() {
   case "$1" in
@@ -30,6 +38,9 @@ check() {
       ;;
     static) build_and_test_in static -D BUILD_SHARED_LIBS=OFF ;;
     clang) build_and_test_in clang -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ ;;
+    library) build_library_alone ;;
+    packages) scripts/check_packages.sh ;;
+    documentation) configure release && cmake --build --preset release --target documentation ;;
     coverage)
       build_and_test coverage &&
         gcovr --root . --filter src/ --filter include/ --exclude-throw-branches --print-summary \
@@ -44,8 +55,8 @@ check() {
 }
 
 help_if_asked "$@"
-scripts/install_dependencies.sh build test checks
-(($#)) || set -- release static clang debug asan tsan coverage scripts
+scripts/install_dependencies.sh build test checks packages documentation
+(($#)) || set -- release static clang library debug asan tsan coverage packages documentation scripts
 
 results=()
 failed=0
@@ -55,7 +66,7 @@ for name in "$@"; do
   result=passed
   check "$name" || result=failed
   [[ $result == passed ]] || failed=1
-  results+=("$(printf '%-10s %s, %d s' "$name" "$result" $((SECONDS - started)))")
+  results+=("$(printf '%-13s %s, %d s' "$name" "$result" $((SECONDS - started)))")
 done
 say "Summary"
 printf '%s\n' "${results[@]}"

@@ -1,17 +1,21 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing.
 #
-# Usage: scripts/install_dependencies.sh [build] [test] [checks]
+# Usage: scripts/install_dependencies.sh [build] [test] [checks] [packages] [documentation]
 #   build   what configuring and building everything needs
 #   test    what running the tests needs besides
 #   checks  what scripts/check_all.sh needs besides
+#   packages       what scripts/check_packages.sh needs besides
+#   documentation  what the target documentation needs besides
 # Without an argument: build and test.
 set -euo pipefail
 
 build=(build-essential cmake ninja-build ccache pkg-config libpcl-dev libboost-program-options-dev liblz4-dev
-  libqhull-dev libpng-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
-test=(xvfb xauth)
+  libqhull-dev libpng-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev pybind11-dev python3-dev)
+test=(xvfb xauth python3-numpy python3-pytest python3-matplotlib)
 checks=(clang libomp-dev llvm clang-format clang-tidy gcovr shellcheck)
+packages=(debootstrap dpkg-dev)
+documentation=(doxygen)
 
 (($#)) || set -- build test
 wanted=()
@@ -20,8 +24,10 @@ for group in "$@"; do
     build) wanted+=("${build[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     checks) wanted+=("${checks[@]}") ;;
+    packages) wanted+=("${packages[@]}") ;;
+    documentation) wanted+=("${documentation[@]}") ;;
     *)
-      echo "install_dependencies.sh: no group '$group'; there are build, test and checks" >&2
+      echo "install_dependencies.sh: no group '$group'; there are build, test, checks, packages and documentation" >&2
       exit 2
       ;;
   esac

@@ -315,7 +315,8 @@ AttentionPipeline::clustering ()
 void
 AttentionPipeline::prepareObjects ()
 {
-  if (threads_ == 1 || attention_points_ || patch_graph_)
+  // What is asked for is weighed over the patches, and so cannot be made beside them.
+  if (threads_ == 1 || attention_points_ || patch_graph_ || !prior_.empty ())
     return;
   normals ();
   double milliseconds = 0.0;

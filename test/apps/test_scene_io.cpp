@@ -44,6 +44,14 @@ pcdText (const std::string& from = "", const std::string& to = "")
   return (text);
 }
 
+SceneOptions
+rowsOf (int image_width)
+{
+  SceneOptions options;
+  options.image_width = image_width;
+  return (options);
+}
+
 class SceneIo : public testing::Test
 {
 protected:
@@ -60,11 +68,11 @@ protected:
 
   /** \brief The error without the file's name, which it must start with. */
   std::string
-  error (int image_width = 0)
+  error (const SceneOptions& options = {})
   {
     try
     {
-      readScene (file_, image_width);
+      readScene (file_, options);
     }
     catch (const std::runtime_error& error)
     {
@@ -193,9 +201,9 @@ TEST_F (SceneIo, tellsHowToOrganizeACloud)
   cloud.height = 1;
   pcl::io::savePCDFileBinary (file_, cloud);
   EXPECT_EQ (error ().find ("not organized (768 x 1 points): the cloud must be width x height"), 0u);
-  EXPECT_EQ (error (31), "not organized, and its 768 points do not fill rows of 31");
-  EXPECT_NE (error (768), "");
-  const Scene scene = readScene (file_, 32);
+  EXPECT_EQ (error (rowsOf (31)), "not organized, and its 768 points do not fill rows of 31");
+  EXPECT_NE (error (rowsOf (768)), "");
+  const Scene scene = readScene (file_, rowsOf (32));
   EXPECT_EQ (scene.cloud->width, 32u);
   EXPECT_EQ (scene.cloud->height, 24u);
 }

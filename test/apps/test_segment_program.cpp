@@ -10,6 +10,8 @@
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 #include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+#include <pcl/io/png_io.h>
 
 #include <limits>
 #include <sys/wait.h>
@@ -404,6 +406,70 @@ TEST_F (SegmentProgram, leavesTheOlderResultWhereTheNewOneCannotBeWritten)
   EXPECT_EQ (std::count (outcome.errors.begin (), outcome.errors.end (), '\n'), 1) << outcome.errors;
   EXPECT_EQ (test::namesIn (folder_ / "out"), Names{"scene"});
   EXPECT_EQ (test::readText (folder_ / "out/scene/old"), "old");
+}
+
+TEST_F (SegmentProgram, FindsTheSameInEveryFormOfAScene)
+{
+  // Depths in whole millimetres, so that an image can hold them, and points as the intrinsics give them.
+  pcl::PointCloud<pcl::PointXYZRGB> cloud;
+  pcl::copyPointCloud (rendered (), cloud);
+  const SceneCamera camera = SceneCamera ().resized (320, 240);
+  std::vector<std::uint16_t> depths;
+  std::vector<std::uint8_t> colors;
+  for (std::size_t i = 0; i < cloud.size (); ++i)
+  {
+    pcl::PointXYZRGB& point = cloud[i];
+    depths.push_back (std::isfinite (point.z) ? static_cast<std::uint16_t> (std::lround (1000.0f * point.z)) : 0);
+    colors.insert (colors.end (), {point.r, point.g, point.b});
+    const double depth = depths.back () * 0.001;
+    point.x = static_cast<float> ((static_cast<double> (i % 320) - camera.center_x) / camera.focal_length * depth);
+    point.y = static_cast<float> ((static_cast<double> (i / 320) - camera.center_y) / camera.focal_length * depth);
+    point.z = static_cast<float> (depth);
+    if (depths.back () == 0)
+      point.x = point.y = point.z = std::numeric_limits<float>::quiet_NaN ();
+  }
+  const auto number = [] (double value) { return (Json (value).dump ()); };
+  const std::string intrinsics = " -intrinsics " + number (camera.focal_length) + "," + number (camera.focal_length) +
+                                 "," + number (camera.center_x) + "," + number (camera.center_y);
+  save ("a.pcd", cloud);
+  pcl::PLYWriter ().write (folder_ / "b.ply", cloud, true, true);
+  pcl::io::saveShortPNGFile (folder_ / "c.png", depths.data (), 320, 240, 1);
+  pcl::io::saveRgbPNGFile (folder_ / "color.png", colors.data (), 320, 240);
+  cloud.width = static_cast<std::uint32_t> (cloud.size ());
+  cloud.height = 1;
+  std::reverse (cloud.begin (), cloud.end ());
+  save ("d.pcd", cloud);
+
+  EXPECT_EQ (run ("a.pcd b.ply -output_dir out").exit_code, 0);
+  const Outcome outcome = run ("c.png -output_dir out -color color.png" + intrinsics);
+  EXPECT_EQ (outcome.exit_code, 0) << outcome.errors;
+  EXPECT_NE (outcome.errors.find ("c.png: depth 0."), std::string::npos) << outcome.errors;
+  EXPECT_EQ (run ("d.pcd -output_dir out" + intrinsics + ",320,240").exit_code, 0);
+
+  const Names files = test::namesIn (folder_ / "out/a");
+  EXPECT_GE (files.size (), 8u) << "two objects at least";
+  for (const char* other : {"b", "c", "d"})
+  {
+    EXPECT_EQ (test::namesIn (folder_ / ("out/" + std::string (other))), files) << other;
+    for (const std::string& file : files)
+    {
+      // Times differ, and the colour of holes, which an unorganized cloud does not tell.
+      if (file == "summary.json" || (other == std::string ("d") && (file == "labels.pcd" || file == "overview.png")))
+        continue;
+      EXPECT_TRUE (test::readText (folder_ / ("out/" + std::string (other) + "/" + file)) ==
+                   test::readText (folder_ / ("out/a/" + file)))
+          << other << ": " << file;
+    }
+  }
+}
+
+TEST_F (SegmentProgram, ChecksTheFlagsOfTheScene)
+{
+  save ("a.pcd", rendered ());
+  expectError ("a.pcd -output_dir out -max_range 0", 2, "-max_range is 0, but must be above 0 metres");
+  expectError ("a.pcd -output_dir out -depth_scale 5000", 2, "-depth_scale is 5000, but must be above 0 and at most 1");
+  expectError ("a.pcd -output_dir out -intrinsics 525", 2, "-intrinsics '525': neither a JSON file nor numbers");
+  expectError ("a.pcd -output_dir out -max_range 0.1", 1, "a.pcd: all points are beyond -max_range 0.1 m");
 }
 
 } // namespace

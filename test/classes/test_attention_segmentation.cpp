@@ -445,3 +445,66 @@ TEST_F (Segmentation, KeepsTheOrderOfGivenPointsWhateverIsAskedFor)
   segmentation.setAttentionPrior (prior);
   expectSame (segment (), plain);
 }
+
+TEST_F (Segmentation, GivesClustersAndLabelsAsOtherSegmentersDo)
+{
+  const std::vector<pcl::AttentionSegment> objects = segment ();
+  std::vector<pcl::PointIndices> clusters (1);
+  ASSERT_TRUE (segmentation.extract (clusters));
+  ASSERT_EQ (clusters.size (), objects.size ());
+  for (std::size_t index = 0; index < objects.size (); ++index)
+    EXPECT_EQ (clusters[index].indices, objects[index].indices);
+
+  pcl::PointCloud<pcl::PointXYZRGBL> labeled;
+  ASSERT_TRUE (segmentation.segment (labeled, clusters));
+  ASSERT_EQ (labeled.width, sceneCloud ()->width);
+  ASSERT_EQ (labeled.height, sceneCloud ()->height);
+  std::vector<std::uint32_t> expected (labeled.size (), 0);
+  for (auto object = objects.rbegin (); object != objects.rend (); ++object)
+    for (const pcl::index_t index : object->indices)
+      expected[index] = static_cast<std::uint32_t> (object->rank);
+  for (std::size_t index = 0; index < labeled.size (); ++index)
+  {
+    ASSERT_EQ (labeled[index].label, expected[index]);
+    ASSERT_EQ (labeled[index].rgba, (*sceneCloud ())[index].rgba);
+  }
+
+  pcl::PointCloud<pcl::Label> labels;
+  ASSERT_TRUE (segmentation.segment (labels, clusters));
+  for (std::size_t index = 0; index < labels.size (); ++index)
+    ASSERT_EQ (labels[index].label, expected[index]);
+}
+
+TEST_F (Segmentation, ClearsClustersAndLabelsOnAnError)
+{
+  segmentation.setInputCloud (nullptr);
+  std::vector<pcl::PointIndices> clusters (1);
+  pcl::PointCloud<pcl::Label> labels (2, 2);
+  errorsOf ([&] { EXPECT_FALSE (segmentation.segment (labels, clusters)); });
+  EXPECT_TRUE (clusters.empty ());
+  EXPECT_TRUE (labels.empty ());
+  pcl::PointIndices inliers;
+  pcl::ModelCoefficients coefficients;
+  inliers.indices.push_back (1);
+  errorsOf ([&] { EXPECT_FALSE (segmentation.getSupportingPlane (inliers, coefficients)); });
+  EXPECT_TRUE (inliers.indices.empty ());
+}
+
+TEST_F (Segmentation, GivesTheSupportingPlaneAsASampleConsensusModel)
+{
+  pcl::PointIndices inliers;
+  pcl::ModelCoefficients coefficients;
+  ASSERT_TRUE (segmentation.getSupportingPlane (inliers, coefficients));
+  const std::vector<pcl::SupportingPlane> planes = segmentation.getSupportingPlanes ();
+  EXPECT_EQ (inliers.indices, planes.front ().indices);
+  ASSERT_EQ (coefficients.values.size (), 4u);
+  double sum = 0.0;
+  for (const pcl::index_t index : inliers.indices)
+    sum += std::abs (Eigen::Map<const Eigen::Vector4f> (coefficients.values.data ())
+                         .dot ((*sceneCloud ())[index].getVector3fMap ().homogeneous ()));
+  EXPECT_LT (sum / static_cast<double> (inliers.indices.size ()), 0.005) << "metres";
+
+  segmentation.setInputCloud (filledCloud (64, 48, nan_value, nan_value, nan_value));
+  EXPECT_FALSE (segmentation.getSupportingPlane (inliers, coefficients));
+  EXPECT_TRUE (inliers.indices.empty () && coefficients.values.empty ());
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #define PCL_NO_PRECOMPILE
 #include "stages.h"
+#include <pcl/segmentation/attention_filter.h>
 
 #include <pcl/register_point_struct.h>
 
@@ -68,4 +69,20 @@ TEST (CustomPointFailure, ReportsAnExceptionInsteadOfLettingItOut)
   const std::string errors = errorsOf ([&] { EXPECT_FALSE (segmentation.fail ()); });
   EXPECT_TRUE (contains (errors, "[pcl::AttentionSegmentation::fail] Failed: std::bad_alloc."));
   EXPECT_EQ (segmentation.getPipeline (), nullptr) << "what was half done is forgotten";
+}
+
+TEST (CustomPointFilter, PassesEveryField)
+{
+  const pcl::PointCloud<ThermalPoint>::Ptr cloud = thermalCloud ();
+  for (std::size_t index = 0; index < cloud->size (); ++index)
+    (*cloud)[index].temperature = static_cast<float> (index);
+  pcl::AttentionFilter<ThermalPoint> filter;
+  filter.setInputCloud (cloud);
+  pcl::PointCloud<ThermalPoint> attended;
+  filter.filter (attended);
+  ASSERT_EQ (filter.getObjects ().size (), 1u);
+  const pcl::Indices& indices = filter.getObjects ().front ().indices;
+  ASSERT_EQ (attended.size (), indices.size ());
+  for (std::size_t index = 0; index < attended.size (); ++index)
+    EXPECT_EQ (attended[index].temperature, static_cast<float> (indices[index]));
 }

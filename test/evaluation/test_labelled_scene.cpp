@@ -49,7 +49,7 @@ TEST (ListScenes, namesWhatIsWrong)
   test::writeText (folder / "other/a.pcd", "");
   EXPECT_EQ (test::messageOf ([&] { listScenes ({folder / "none"}); }), (folder / "none") + ": no such file or folder");
   EXPECT_EQ (test::messageOf ([&] { listScenes ({folder / "empty"}); }),
-             (folder / "empty") + ": a folder without a PCD file");
+             (folder / "empty") + ": a folder without a .pcd file");
   EXPECT_EQ (test::messageOf ([&] {
                listScenes ({folder / "a.pcd", folder / "other"});
              }),

@@ -3,6 +3,9 @@
 
 #include <pcl/segmentation/attention_base.h>
 
+#include <pcl/ModelCoefficients.h>
+#include <pcl/common/io.h>
+
 namespace pcl
 {
 
@@ -66,6 +69,20 @@ public:
    * \return false on an error; a scene without objects is none */
   bool segment (std::vector<AttentionSegment>& segments);
 
+  /** \brief The same as the points alone, as PCL's own segmenters give them.
+   * \param[out] clusters one per object, in order of attention, with the cloud's header
+   * \return false on an error */
+  bool extract (std::vector<pcl::PointIndices>& clusters);
+
+  /** \brief The same as labels, too.
+   * \param[out] labels organized like the cloud, of any point type with a field label: pcl::Label for the labels alone,
+   * e.g. pcl::PointXYZRGBL for a copy of the cloud with labels. Label k is that of the first cluster, k - 1, that claims
+   * the point; 0 is no object.
+   * \param[out] clusters see \ref extract
+   * \return false on an error */
+  template <typename PointLT>
+  bool segment (pcl::PointCloud<PointLT>& labels, std::vector<pcl::PointIndices>& clusters);
+
   /** \brief Segment the next object in order of attention; the first call after anything was set starts the frame.
    * \return false when there is none left, or on an error */
   bool segmentNext (AttentionSegment& segment);
@@ -77,6 +94,12 @@ public:
   /** \brief The supporting plane first, if there is one, then the other planes of the background. Empty on an error. */
   std::vector<SupportingPlane> getSupportingPlanes ();
 
+  /** \brief The plane that the objects stand on, in the form that pcl::SACSegmentation gives a plane.
+   * \param[out] inliers its points
+   * \param[out] coefficients a, b, c, d of ax + by + cz + d = 0, unit normal towards the viewpoint, metres
+   * \return false when there is none, or on an error; the outputs are then empty */
+  bool getSupportingPlane (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients);
+
   /** \brief The stages behind the segments: saliency, points, patches, graph and times. Null before a frame is started.
    * Patches are numbered 1, 2, ... there, also the user's own. */
   pcl_attention::AttentionPipeline*
@@ -86,6 +109,7 @@ public:
   }
 
 protected:
+  using AttentionBase<PointT>::input_;
   using AttentionBase<PointT>::pipeline_;
   using AttentionBase<PointT>::changeParameters;
   using AttentionBase<PointT>::run;
@@ -96,6 +120,24 @@ protected:
     return ("AttentionSegmentation");
   }
 };
+
+// Here for every type of labels, also where the rest is compiled in the library.
+template <typename PointT>
+template <typename PointLT>
+bool
+AttentionSegmentation<PointT>::segment (pcl::PointCloud<PointLT>& labels, std::vector<pcl::PointIndices>& clusters)
+{
+  labels = pcl::PointCloud<PointLT> ();
+  if (!extract (clusters))
+    return (false);
+  pcl::copyPointCloud (*input_, labels);
+  for (PointLT& point : labels)
+    point.label = 0;
+  for (std::size_t cluster = clusters.size (); cluster > 0; --cluster)
+    for (const index_t index : clusters[cluster - 1].indices)
+      labels[index].label = static_cast<std::uint32_t> (cluster);
+  return (true);
+}
 
 } // namespace pcl
 

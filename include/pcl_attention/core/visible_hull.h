@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_attention/alignment_guard.h>
 #include <pcl_attention/export.h>
 
 #include <Eigen/Core>

@@ -30,6 +30,23 @@ AttentionSegmentation<PointT>::segment (std::vector<AttentionSegment>& segments)
 
 template <typename PointT>
 bool
+AttentionSegmentation<PointT>::extract (std::vector<pcl::PointIndices>& clusters)
+{
+  clusters.clear ();
+  std::vector<AttentionSegment> segments;
+  if (!segment (segments))
+    return (false);
+  for (AttentionSegment& object : segments)
+  {
+    clusters.emplace_back ();
+    clusters.back ().header = input_->header;
+    clusters.back ().indices = std::move (object.indices);
+  }
+  return (true);
+}
+
+template <typename PointT>
+bool
 AttentionSegmentation<PointT>::segmentNext (AttentionSegment& segment)
 {
   return (this->runForSegment ("segmentNext", segment, [&] { return (pipeline_.next (segment)); }));
@@ -55,6 +72,22 @@ AttentionSegmentation<PointT>::getSupportingPlanes ()
     return (true);
   });
   return (planes);
+}
+
+template <typename PointT>
+bool
+AttentionSegmentation<PointT>::getSupportingPlane (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients)
+{
+  inliers = pcl::PointIndices ();
+  coefficients = pcl::ModelCoefficients ();
+  const std::vector<SupportingPlane> planes = getSupportingPlanes ();
+  if (planes.empty () || !planes.front ().supports_objects)
+    return (false);
+  inliers.header = coefficients.header = input_->header;
+  inliers.indices = planes.front ().indices;
+  const Eigen::Vector4f& plane = planes.front ().coefficients;
+  coefficients.values.assign (plane.data (), plane.data () + 4);
+  return (true);
 }
 
 } // namespace pcl

@@ -146,31 +146,20 @@ checkPoint (const AttentionPoint& point, const pcl::PointCloud<PointT>& cloud)
   return ("");
 }
 
-/** \brief Gather a cloud into flat arrays in the sensor frame. Points that are not finite, or that lie in or behind the
+/** \brief Gather points into flat arrays in the sensor frame. Those that are not finite, or that lie in or behind the
  * viewpoint, are not valid.
- * \param[in] indices the points to take, the others are not valid; null takes all */
-template <typename PointT>
-OrganizedCloud
-gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
+ * \param[in] position_at gives the point of an index, as anything with members x, y and z, in metres
+ * \param[in] indices the points to take, the others are not valid; null takes all
+ * \param[in,out] flat of the right size, without a valid point */
+template <typename PositionAt>
+void
+gatherPositions (const PositionAt& position_at, const pcl::Indices* indices, const Eigen::Isometry3f& sensor_pose,
+                 OrganizedCloud& flat)
 {
-  OrganizedCloud flat;
-  flat.reset (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
-  const Eigen::Isometry3f to_sensor = sensorPose (cloud).inverse ();
+  const Eigen::Isometry3f to_sensor = sensor_pose.inverse ();
   const bool moved = !to_sensor.matrix ().isIdentity (0.0f);
-  if constexpr (HasRgb<PointT>::value)
-  {
-    flat.red.resize (cloud.size ());
-    flat.green.resize (cloud.size ());
-    flat.blue.resize (cloud.size ());
-    for (std::size_t index = 0; index < cloud.size (); ++index)
-    {
-      flat.red[index] = cloud[index].r;
-      flat.green[index] = cloud[index].g;
-      flat.blue[index] = cloud[index].b;
-    }
-  }
   const auto take = [&] (std::size_t index) {
-    const PointT& point = cloud[index];
+    const auto& point = position_at (index);
     if (!std::isfinite (point.x) || !std::isfinite (point.y) || !std::isfinite (point.z))
       return;
     Eigen::Vector3f position (point.x, point.y, point.z);
@@ -188,8 +177,31 @@ gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
     for (const pcl::index_t index : *indices)
       take (static_cast<std::size_t> (index));
   else
-    for (std::size_t index = 0; index < cloud.size (); ++index)
+    for (std::size_t index = 0; index < flat.size (); ++index)
       take (index);
+}
+
+/** \brief Gather a cloud with its colours.
+ * \param[in] indices see \ref gatherPositions */
+template <typename PointT>
+OrganizedCloud
+gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
+{
+  OrganizedCloud flat;
+  flat.reset (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
+  if constexpr (HasRgb<PointT>::value)
+  {
+    flat.red.resize (cloud.size ());
+    flat.green.resize (cloud.size ());
+    flat.blue.resize (cloud.size ());
+    for (std::size_t index = 0; index < cloud.size (); ++index)
+    {
+      flat.red[index] = cloud[index].r;
+      flat.green[index] = cloud[index].g;
+      flat.blue[index] = cloud[index].b;
+    }
+  }
+  gatherPositions ([&] (std::size_t index) -> const PointT& { return (cloud[index]); }, indices, sensorPose (cloud), flat);
   return (flat);
 }
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "depth_camera.h"
+
+#include "number_text.h"
+#include "parameter_io.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+namespace pcl_attention
+{
+
+namespace
+{
+
+constexpr int largest_image = 1 << 14; // pixels a side
+
+[[noreturn]] void
+fail (const std::string& source, const std::string& message)
+{
+  throw std::runtime_error (source + ": " + message);
+}
+
+/** \brief One of the numbers by name, which is that of the JSON key. */
+void
+setValue (const std::string& source, const std::string& name, double value, DepthCamera& camera)
+{
+  const auto set = [&] (double& field, bool is_right, const char* range) {
+    if (!std::isfinite (value) || !is_right)
+      fail (source, name + " is " + numberText (value) + ", but must be " + range);
+    field = value;
+  };
+  const auto set_size = [&] (int& field) {
+    double number = 0.0;
+    set (number, value >= 1.0 && value <= largest_image && value == std::floor (value),
+         "a whole number from 1 to 16384");
+    field = static_cast<int> (number);
+  };
+  if (name == "fx")
+    set (camera.fx, value > 0.0, "above 0, in pixels");
+  else if (name == "fy")
+    set (camera.fy, value > 0.0, "above 0, in pixels");
+  else if (name == "cx")
+    set (camera.cx, true, "a number of pixels");
+  else if (name == "cy")
+    set (camera.cy, true, "a number of pixels");
+  else if (name == "width")
+    set_size (camera.width);
+  else if (name == "height")
+    set_size (camera.height);
+  else if (name == "depth_scale")
+    set (camera.depth_scale, value > 0.0 && value <= 1.0,
+         "above 0 and at most 1, in metres a unit: 0.001 for millimetres");
+  else
+    fail (source, "unknown key \"" + name + "\"; there are fx, fy, cx, cy, width, height and depth_scale");
+}
+
+DepthCamera
+fromFile (const std::string& path)
+{
+  const nlohmann::ordered_json json = readJsonFile (path);
+  if (!json.is_object ())
+    fail (path, "not a JSON object with the camera's fx, fy, cx and cy");
+  DepthCamera camera;
+  for (const auto& [key, value] : json.items ())
+  {
+    if (!value.is_number ())
+      fail (path, key + " is " + value.dump () + ", but must be a number");
+    setValue (path, key, value.get<double> (), camera);
+  }
+  for (const char* key : {"fx", "fy", "cx", "cy"})
+    if (!json.contains (key))
+      fail (path, std::string ("no ") + key + ": the camera's fx, fy, cx and cy are needed");
+  return (camera);
+}
+
+DepthCamera
+fromText (const std::string& text)
+{
+  static const std::array<const char*, 6> names{"fx", "fy", "cx", "cy", "width", "height"};
+  DepthCamera camera;
+  std::size_t count = 0;
+  const char* begin = text.data ();
+  const char* const end = begin + text.size ();
+  for (; count < names.size (); ++count)
+  {
+    double value = 0.0;
+    const auto [rest, error] = std::from_chars (begin, end, value);
+    if (error != std::errc () || (rest != end && *rest != ','))
+      break;
+    setValue ("'" + text + "'", names[count], value, camera);
+    begin = rest == end ? end : rest + 1;
+    if (rest == end)
+    {
+      ++count;
+      break;
+    }
+  }
+  if (begin != end || text.back () == ',' || (count != 4 && count != 6))
+    fail ("'" + text + "'", "neither a JSON file nor numbers as fx,fy,cx,cy or fx,fy,cx,cy,width,height");
+  return (camera);
+}
+
+} // namespace
+
+DepthCamera
+readDepthCamera (const std::string& text_or_file)
+{
+  const std::filesystem::path path (text_or_file);
+  std::error_code ignored;
+  if (path.extension () == ".json" || std::filesystem::exists (path, ignored))
+    return (fromFile (text_or_file));
+  if (text_or_file.empty ())
+    fail ("''", "neither a JSON file nor numbers as fx,fy,cx,cy or fx,fy,cx,cy,width,height");
+  return (fromText (text_or_file));
+}
+
+} // namespace pcl_attention
