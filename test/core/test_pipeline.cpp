@@ -53,11 +53,18 @@ TEST (Pipeline, changedParametersGiveWhatAFreshStartGives)
   const std::vector<AttentionSegment> before = allSegments (changed);
   ASSERT_FALSE (before.empty ());
   int differing = 0;
-  for (const auto& [name, value] :
-       {std::pair<std::string, double> ("normal_radius", 2), {"window_radius", 2}, {"levels", 2},
-        {"component_threshold", 0.3}, {"patch_maximum_angle", 0.2}, {"border_connection_distance", 0.03},
-        {"support_minimum_area", 0.5}, {"stay_off_support", 0}, {"compactness_threshold", 0.0005},
-        {"minimum_convexity", 0.5}, {"coverage", 0}, {"inhibition_of_return", 0}})
+  for (const auto& [name, value] : {std::pair<std::string, double> ("normal_radius", 2),
+                                    {"window_radius", 2},
+                                    {"levels", 2},
+                                    {"component_threshold", 0.3},
+                                    {"patch_maximum_angle", 0.2},
+                                    {"border_connection_distance", 0.03},
+                                    {"support_minimum_area", 0.5},
+                                    {"stay_off_support", 0},
+                                    {"compactness_threshold", 0.0005},
+                                    {"minimum_convexity", 0.5},
+                                    {"coverage", 0},
+                                    {"inhibition_of_return", 0}})
   {
     AttentionParameters parameters;
     const auto& table = parameterTable ();
