@@ -9,8 +9,8 @@
 set -euo pipefail
 
 build=(build-essential cmake ninja-build ccache pkg-config libpcl-dev libboost-program-options-dev liblz4-dev
-  libqhull-dev libpng-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
-test=(xvfb xauth)
+  libqhull-dev libpng-dev libx11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev)
+test=(xvfb xauth openbox wmctrl xdotool)
 checks=(clang libomp-dev llvm clang-format clang-tidy gcovr shellcheck)
 
 (($#)) || set -- build test
