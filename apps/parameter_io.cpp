@@ -2,6 +2,7 @@
 #include "parameter_io.h"
 
 #include "number_text.h"
+#include "whole_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -161,11 +162,7 @@ readParameters (const std::string& path, const std::string& preset)
 void
 writeParameters (const std::string& path, const NamedParameters& parameters)
 {
-  std::ofstream stream (path);
-  stream << parametersToJson (parameters).dump (2) << '\n';
-  stream.close ();
-  if (!stream)
-    fail (path, std::string ("cannot be written: ") + std::strerror (errno));
+  writeWholeFile (path, parametersToJson (parameters).dump (2) + '\n');
 }
 
 void

@@ -546,4 +546,27 @@ readScene (const std::string& path, const SceneOptions& options)
   return (scene);
 }
 
+Scene
+makeSceneOf (const pcl::PointCloud<pcl::PointXYZRGB>::Ptr& cloud, const std::string& name, bool has_color)
+{
+  Scene scene;
+  scene.path = scene.name = name;
+  scene.cloud = cloud;
+  scene.has_color = has_color;
+  scene.stored_origin = cloud->sensor_origin_;
+  scene.stored_orientation = cloud->sensor_orientation_;
+  if (!cloud->isOrganized ())
+    fail (name + ": not organized: the cloud must be width x height as the camera delivers it");
+  try
+  {
+    markHoles (scene);
+    noteImplausible (mendSensorPose (scene), scene);
+  }
+  catch (const std::runtime_error& error)
+  {
+    fail (name + ": " + error.what ());
+  }
+  return (scene);
+}
+
 } // namespace pcl_attention

@@ -46,4 +46,10 @@ struct SceneOptions
  * what to do about it */
 Scene readScene (const std::string& path, const SceneOptions& options = {});
 
+/** \brief A scene of a cloud that came another way, as from a camera, with the checks of \ref readScene.
+ * \param[in] name of the scene, and its path in messages
+ * \param[in] has_color whether the points have more than black for a colour
+ * \throws std::runtime_error: one line that names the scene and what is wrong */
+Scene makeSceneOf (const pcl::PointCloud<pcl::PointXYZRGB>::Ptr& cloud, const std::string& name, bool has_color);
+
 } // namespace pcl_attention

@@ -46,7 +46,7 @@ check() {
         gcovr --root . --filter src/ --filter include/ --exclude-throw-branches --print-summary \
           --html-details build/coverage/report.html build/coverage
       ;;
-    scripts) shellcheck --external-sources .ci/run scripts/*.sh ;;
+    scripts) shellcheck --external-sources .ci/run scripts/*.sh test/viewer/*.sh ;;
     *)
       echo "check_all.sh: no check '$1'" >&2
       return 2

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_attention/core/parameters.h>
 #include <pcl_attention/core/pipeline.h>
 
 #include <Eigen/Eigenvalues>
@@ -148,8 +149,8 @@ AttentionPipeline::start (OrganizedCloud&& cloud, const Eigen::Isometry3f& senso
   supporting_planes_.reset ();
   support_patches_.clear ();
   over_support_.clear ();
-  times_ = StageTimes ();
   setPrior (AttentionPrior ());
+  times_ = StageTimes ();
 }
 
 void
@@ -159,12 +160,68 @@ AttentionPipeline::setPrior (AttentionPrior&& prior)
   prior_weights_ = Image<float> ();
   attention_points_.reset ();
   points_are_users_ = false;
+  restart ();
+}
+
+void
+AttentionPipeline::restart ()
+{
   queue_.clear ();
   next_point_ = 0;
   waiting_.clear ();
   queue_filled_ = false;
   claimed_.assign (cloud_.size (), 0);
   segments_found_ = 0;
+  times_.segmentation = 0.0;
+}
+
+void
+AttentionPipeline::changeParameters (const AttentionParameters& parameters)
+{
+  const auto changed = [&] (const char* stage) {
+    const std::vector<ParameterDescription>& table = parameterTable ();
+    return (std::any_of (table.begin (), table.end (), [&] (const ParameterDescription& row) {
+      return (row.stage == stage && row.get (parameters) != row.get (parameters_));
+    }));
+  };
+  const bool normals_changed = changed ("normals");
+  const bool saliency_changed = normals_changed || changed ("saliency");
+  const bool points_changed = saliency_changed || changed ("attention_points");
+  // The patches are cut in place, so that whether they are cut is as good as a setting of theirs.
+  const bool patches_changed = normals_changed || changed ("patches") || changed ("patch_graph") || changed ("support") ||
+                               parameters.clustering.stay_off_support != parameters_.clustering.stay_off_support;
+  if (patches_changed || changed ("clustering"))
+    clustering_.reset ();
+  parameters_ = parameters;
+  if (normals_changed)
+  {
+    normals_.reset ();
+    times_.normals = 0.0;
+  }
+  if (saliency_changed)
+  {
+    saliency_.reset ();
+    times_.saliency = 0.0;
+  }
+  if (patches_changed)
+    prior_weights_ = Image<float> ();
+  if (points_changed || (patches_changed && !prior_.empty ()))
+  {
+    attention_points_.reset ();
+    points_are_users_ = false;
+    times_.attention_points = 0.0;
+  }
+  if (patches_changed)
+  {
+    patches_.reset ();
+    patch_graph_.reset ();
+    supporting_planes_.reset ();
+    support_patches_.clear ();
+    over_support_.clear ();
+    times_.patches = 0.0;
+  }
+  times_.overlap = 0.0;
+  restart ();
 }
 
 void

@@ -71,6 +71,11 @@ public:
   void
   start (OrganizedCloud&& cloud, const Eigen::Isometry3f& sensor_pose, const AttentionParameters& parameters, int threads);
 
+  /** \brief Go on with the same frame and other parameters: the results that do not depend on what has changed are kept with
+    * their times, the others are forgotten, the user's own too, and \ref next begins again with the first object. */
+  void
+  changeParameters (const AttentionParameters& parameters);
+
   /** \brief The user's own normals, saliency, patches or attention points instead of the computed ones. Before the first
     * result that depends on them is asked for. */
   void
@@ -123,6 +128,10 @@ public:
   times () const { return (times_); }
 
 private:
+  /** \brief Begin again with the first object. */
+  void
+  restart ();
+
   /** \brief Patches, their graph and the planes of the background. */
   void
   preparePatches ();

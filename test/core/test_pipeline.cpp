@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What AttentionPipeline keeps when parameters change, and what not.
+#include "scene_renderer.h"
+#include <pcl_attention/core/parameters.h>
+#include <pcl_attention/core/pipeline.h>
+
+#include <gtest/gtest.h>
+#include <pcl/segmentation/impl/organized_cloud.hpp>
+
+using namespace pcl_attention;
+
+namespace
+{
+
+OrganizedCloud
+renderedCloud ()
+{
+  SceneDescription description = makeScene (SceneKind::clutter, 6);
+  description.camera = description.camera.resized (160, 120);
+  return (gather (*renderScene (description, 6), nullptr));
+}
+
+std::vector<AttentionSegment>
+allSegments (AttentionPipeline& pipeline)
+{
+  std::vector<AttentionSegment> segments;
+  AttentionSegment segment;
+  while (pipeline.next (segment))
+    segments.push_back (segment);
+  return (segments);
+}
+
+void
+expectSame (const std::vector<AttentionSegment>& a, const std::vector<AttentionSegment>& b, const std::string& what)
+{
+  ASSERT_EQ (a.size (), b.size ()) << what;
+  for (std::size_t k = 0; k < a.size (); ++k)
+  {
+    EXPECT_EQ (a[k].rank, b[k].rank) << what;
+    EXPECT_EQ (a[k].indices, b[k].indices) << what;
+    EXPECT_EQ (a[k].attention_point.column, b[k].attention_point.column) << what;
+    EXPECT_EQ (a[k].attention_point.row, b[k].attention_point.row) << what;
+    EXPECT_EQ (a[k].patches, b[k].patches) << what;
+  }
+}
+
+TEST (Pipeline, changedParametersGiveWhatAFreshStartGives)
+{
+  const OrganizedCloud cloud = renderedCloud ();
+  const Eigen::Isometry3f pose = Eigen::Isometry3f::Identity ();
+  AttentionPipeline changed;
+  changed.start (OrganizedCloud (cloud), pose, AttentionParameters (), 2);
+  const std::vector<AttentionSegment> before = allSegments (changed);
+  ASSERT_FALSE (before.empty ());
+  int differing = 0;
+  for (const auto& [name, value] : {std::pair<std::string, double> ("normal_radius", 2),
+                                    {"window_radius", 2},
+                                    {"levels", 2},
+                                    {"component_threshold", 0.3},
+                                    {"patch_maximum_angle", 0.2},
+                                    {"border_connection_distance", 0.03},
+                                    {"support_minimum_area", 0.5},
+                                    {"stay_off_support", 0},
+                                    {"compactness_threshold", 0.0005},
+                                    {"minimum_convexity", 0.5},
+                                    {"coverage", 0},
+                                    {"inhibition_of_return", 0}})
+  {
+    AttentionParameters parameters;
+    const auto& table = parameterTable ();
+    const auto row = std::find_if (table.begin (), table.end (),
+                                   [name = name] (const ParameterDescription& r) { return (r.name == name); });
+    ASSERT_NE (row, table.end ()) << name;
+    row->set (parameters, value);
+    AttentionPipeline fresh;
+    fresh.start (OrganizedCloud (cloud), pose, parameters, 2);
+    const std::vector<AttentionSegment> expected = allSegments (fresh);
+    changed.changeParameters (parameters);
+    expectSame (allSegments (changed), expected, name);
+    differing += expected.size () != before.size ();
+  }
+  EXPECT_GT (differing, 2) << "parameters that change nothing show nothing";
+  changed.changeParameters (AttentionParameters ());
+  expectSame (allSegments (changed), before, "and back");
+}
+
+TEST (Pipeline, keepsTheStagesThatDoNotDependOnAChange)
+{
+  AttentionPipeline pipeline;
+  AttentionParameters parameters;
+  pipeline.start (renderedCloud (), Eigen::Isometry3f::Identity (), parameters, 2);
+  allSegments (pipeline);
+  const StageTimes first = pipeline.times ();
+
+  parameters.clustering.compactness_threshold = 0.002f;
+  pipeline.changeParameters (parameters);
+  EXPECT_EQ (pipeline.times ().segmentation, 0.0);
+  allSegments (pipeline);
+  EXPECT_EQ (pipeline.times ().normals, first.normals);
+  EXPECT_EQ (pipeline.times ().saliency, first.saliency);
+  EXPECT_EQ (pipeline.times ().attention_points, first.attention_points);
+  EXPECT_EQ (pipeline.times ().patches, first.patches);
+
+  parameters.saliency.levels = 3;
+  pipeline.changeParameters (parameters);
+  EXPECT_EQ (pipeline.times ().saliency, 0.0);
+  EXPECT_EQ (pipeline.times ().attention_points, 0.0);
+  allSegments (pipeline);
+  EXPECT_EQ (pipeline.times ().normals, first.normals);
+  EXPECT_EQ (pipeline.times ().patches, first.patches);
+
+  parameters.normals.radius = 3;
+  pipeline.changeParameters (parameters);
+  EXPECT_EQ (pipeline.times ().total (), 0.0);
+}
+
+} // namespace
