@@ -105,7 +105,9 @@ makeViewerScene (Scene&& scene, const std::shared_ptr<const GroundTruth>& truth)
 ViewerScenePtr
 readViewerScene (const std::string& path, int image_width)
 {
-  Scene scene = readScene (path, image_width);
+  SceneOptions options;
+  options.image_width = image_width;
+  Scene scene = readScene (path, options);
   std::shared_ptr<const GroundTruth> truth;
   try
   {

@@ -164,7 +164,7 @@ makeTable ()
              "eq. 11, 12", "add patches with CS_in < CS_out, or CS_out < CS_in as printed")
     .number ("compactness_threshold", &ClusteringParameters::compactness_threshold, 0, 10, "m", "eq. 13, 14, theta_com",
              "mean distance of the points to the visible faces of the hull")
-    .number ("compactness_noise", &ClusteringParameters::compactness_noise, 0, 100, "sigma", "eq. 13",
+    .number ("compactness_noise", &ClusteringParameters::compactness_noise, 0, 100, "", "eq. 13",
              "added to the threshold, standard deviations of the depth at the patch: noise moves a hull outwards")
     .number ("compactness_samples", &ClusteringParameters::compactness_samples, 3, 100000, "", "eq. 13",
              "points of a patch that the mean is taken over, at most")

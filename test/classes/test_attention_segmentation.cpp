@@ -71,6 +71,42 @@ TEST_F (Segmentation, GivesOneObjectAfterTheOther)
   expectSame (next, all.front ());
 }
 
+TEST_F (Segmentation, LetsSmallSegmentsWaitForLargeOnes)
+{
+  // Larger than any object, so that every segment's weight is below 1.
+  constexpr float full_size = 10.0f;
+  pcl_attention::AttentionParameters parameters;
+  parameters.segmentation.prefer_supported = false;
+  parameters.segmentation.full_size = full_size;
+  segmentation.setParameters (parameters);
+  const std::vector<pcl::AttentionSegment> segments = segment ();
+  ASSERT_GE (segments.size (), 3u);
+  const pcl_attention::OrganizedCloud& cloud = segmentation.getPipeline ()->cloud ();
+  const float focal_length = pcl_attention::estimateFocalLength (cloud);
+  std::vector<float> priorities;
+  bool by_saliency_alone = true;
+  for (const pcl::AttentionSegment& object : segments)
+  {
+    double area = 0.0;
+    for (const pcl::index_t index : object.indices)
+      area += std::pow (cloud.z[index] / focal_length, 2);
+    by_saliency_alone &= object.rank == 1 || object.attention_point.saliency <= segments[object.rank - 2].attention_point.saliency;
+    priorities.push_back (static_cast<float> ((0.1 + object.attention_point.saliency) * area));
+  }
+  for (std::size_t k = 1; k < priorities.size (); ++k)
+    EXPECT_LE (priorities[k], priorities[k - 1] * 1.0001f) << k;
+  EXPECT_FALSE (by_saliency_alone) << "the scene shows nothing";
+
+  parameters.segmentation.full_size = 0.0f;
+  segmentation.setParameters (parameters);
+  float before = std::numeric_limits<float>::max ();
+  for (const pcl::AttentionSegment& object : segment ())
+  {
+    EXPECT_LE (object.attention_point.saliency, before);
+    before = object.attention_point.saliency;
+  }
+}
+
 TEST_F (Segmentation, GivesAllObjectsAlsoAfterSome)
 {
   const std::vector<pcl::AttentionSegment> all = segment ();

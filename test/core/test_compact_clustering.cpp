@@ -284,6 +284,46 @@ TEST (CompactClustering, CompactnessRefusesAPatchFarBehind)
   EXPECT_EQ (connected.steps[0].limit, 0.5f);
 }
 
+TEST (CompactClustering, NoiseWidensTheCompactnessLimit)
+{
+  const Case sides = valley ();
+  ClusteringParameters parameters = plain ();
+  parameters.compactness_noise = 3.0f;
+  const float noise = estimateDepthNoise (sides.frame.cloud), depth = sides.patches.patches[1].centroid.z ();
+  ASSERT_GT (noise, 0.0f);
+  const AttentionSegment segment = sides.grow (10, 24, parameters);
+  const GrowthStep* const step = stepOf (segment, 2);
+  ASSERT_TRUE (step);
+  EXPECT_NEAR (step->limit, parameters.compactness_threshold + 3.0f * noise * depth * depth, 1e-7f);
+}
+
+TEST (CompactClustering, TheFloorSeenThroughTheMouthOfAHollowBelongsToIt)
+{
+  // A plate from above: a ring that rises outwards; its floor is level with the table and a patch with it.
+  Frame frame = shapes::emptyFrame (64, 48);
+  Image<int> labels (64, 48, 1);
+  int floor = 0, ring = 0;
+  for (int row = 0; row < 48; ++row)
+    for (int column = 0; column < 64; ++column)
+    {
+      const double x = 0.002 * (column - 31.5), y = 0.002 * (row - 23.5), radius = std::hypot (x, y);
+      const bool rises = radius >= 0.02 && radius <= 0.04;
+      const double z = rises ? 0.8 - 0.5 * (radius - 0.02) : 0.8;
+      const Vector3d normal = rises ? Vector3d (-0.5 * x / radius, -0.5 * y / radius, -1) : Vector3d (0, 0, -1);
+      frame.set (frame.index (column, row), {x, y, z}, normal.normalized ());
+      if (rises)
+        labels (column, row) = 2;
+      ring += rises;
+      floor += radius < 0.02;
+    }
+  const Case plate (frame, labels);
+  ClusteringParameters parameters;
+  const std::vector<std::uint8_t> support{0, 1, 0};
+  EXPECT_EQ (plate.grow (31, 8, parameters, support).indices.size (), static_cast<std::size_t> (ring + floor));
+  parameters.visiblePieces ();
+  EXPECT_EQ (plate.grow (31, 8, parameters, support).indices.size (), static_cast<std::size_t> (ring));
+}
+
 TEST (CompactClustering, ConvexityRefusesAConcaveBorder)
 {
   ClusteringParameters parameters = plain ();
