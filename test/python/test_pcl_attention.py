@@ -66,8 +66,8 @@ def test_gives_labels_planes_and_times(scene, objects):
     table = objects.supporting_planes[0]
     assert table.supports_objects
     assert table.coefficients == pytest.approx([0.0, -0.8, -0.6, 0.6], abs=0.02)
-    assert objects.milliseconds["total"] == pytest.approx(
-        sum(value for name, value in objects.milliseconds.items() if name != "total"))
+    stages = [value for name, value in objects.milliseconds.items() if name != "total"]
+    assert max(stages) <= objects.milliseconds["total"] <= sum(stages) * 1.001  # some run beside each other
 
 
 def test_finds_the_same_as_the_program(scene, objects, tmp_path):
