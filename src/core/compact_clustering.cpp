@@ -691,12 +691,10 @@ CompactClustering::mouthOf (const Piece& object) const
       const float y = static_cast<float> (row);
       if (std::min (a.y (), b.y ()) > y || std::max (a.y (), b.y ()) < y)
         continue;
-      for (const float x : {a.y () == b.y () ? a.x () : a.x () + (b.x () - a.x ()) * (y - a.y ()) / (b.y () - a.y ()),
-                            a.y () == b.y () ? b.x () : a.x () + (b.x () - a.x ()) * (y - a.y ()) / (b.y () - a.y ())})
-      {
-        left = std::min (left, x);
-        right = std::max (right, x);
-      }
+      const bool level = a.y () == b.y ();
+      const float x = level ? a.x () : a.x () + (b.x () - a.x ()) * (y - a.y ()) / (b.y () - a.y ());
+      left = std::min ({left, x, level ? b.x () : x});
+      right = std::max ({right, x, level ? b.x () : x});
     }
     for (int column = static_cast<int> (std::ceil (left)); column <= static_cast<int> (right); ++column)
       mouth[static_cast<std::size_t> (row) * cloud_.width + column] = 1;

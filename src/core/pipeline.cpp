@@ -474,7 +474,7 @@ AttentionPipeline::priorityOf (std::size_t place, float size_weight) const
 float
 AttentionPipeline::sizeWeight (const AttentionSegment& segment) const
 {
-  const float full_size = parameters_.segmentation.full_size, focal_length = estimateFocalLength (cloud_);
+  const float full_size = parameters_.segmentation.full_size, focal_length = clustering_->focalLength ();
   if (full_size <= 0.0f || focal_length <= 0.0f)
     return (1.0f);
   float area = 0.0f;

@@ -2,6 +2,7 @@
 // The hull that is kept and extended, against Qhull's.
 #include "../../src/core/object_hull.h"
 
+#include "faces.h"
 #include <pcl_attention/core/organized_cloud.h>
 
 #include <Eigen/Geometry>
@@ -37,15 +38,6 @@ randomPoints (int count, unsigned seed, int reach)
     points.push_back (Vector3f (x, y, static_cast<float> (coordinate (generator))) / 64.0f + Vector3f (0.0f, 0.0f, 20.0f));
   }
   return (points);
-}
-
-double
-area (const std::vector<VisibleHull::Face>& faces)
-{
-  double sum = 0.0;
-  for (const VisibleHull::Face& face : faces)
-    sum += 0.5 * (face.corners[1] - face.corners[0]).cross (face.corners[2] - face.corners[0]).norm ();
-  return (sum);
 }
 
 double

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paper eq. 13 and 14: the hull, its visible faces and the compactness.
+#include "faces.h"
 #include <pcl_attention/core/visible_hull.h>
 
 #include <Eigen/Geometry>
@@ -25,15 +26,6 @@ cube (const Vector3f& center, float side)
       for (const float z : {-0.5f, 0.5f})
         corners.push_back (center + side * Vector3f (x, y, z));
   return (corners);
-}
-
-double
-area (const std::vector<VisibleHull::Face>& faces)
-{
-  double sum = 0.0;
-  for (const VisibleHull::Face& face : faces)
-    sum += 0.5 * (face.corners[1] - face.corners[0]).cross (face.corners[2] - face.corners[0]).norm ();
-  return (sum);
 }
 
 /** \brief Area of the faces with this normal. */

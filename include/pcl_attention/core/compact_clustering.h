@@ -133,6 +133,10 @@ public:
   bool
   grow (const AttentionPoint& point, AttentionSegment& segment);
 
+  /** \brief Of the cloud, pixels; 0 where it has too few points to tell. */
+  float
+  focalLength () const { return (focal_length_); }
+
 private:
   /** \brief A sample of a patch's points. */
   struct Sample
