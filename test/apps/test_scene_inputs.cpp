@@ -2,7 +2,7 @@
 // Scenes in other forms than an organized PCD file: depth images, PLY, unorganized clouds, and a limit of the range.
 #include "files.h"
 #include "png_image.h"
-#include "scene_io.h"
+#include "reading_errors.h"
 
 #include <pcl/common/point_tests.h>
 #include <pcl/io/pcd_io.h>
@@ -88,23 +88,6 @@ protected:
     pcl::io::saveRgbPNGFile (folder_ / name, values.data (), static_cast<int> (cloud.width),
                              static_cast<int> (cloud.height));
   }
-
-  static std::string
-  error (const std::string& file, const SceneOptions& options)
-  {
-    try
-    {
-      readScene (file, options);
-    }
-    catch (const std::runtime_error& error)
-    {
-      const std::string message = error.what ();
-      EXPECT_EQ (message.find (file + ": "), 0u) << message;
-      EXPECT_EQ (message.find ('\n'), std::string::npos) << message;
-      return (message.substr (file.size () + 2));
-    }
-    return ("");
-  }
 };
 
 std::vector<std::uint16_t>
@@ -157,25 +140,25 @@ TEST_F (SceneInputs, TakesTheScaleOfADepthImageAndShowsAWrongOne)
 TEST_F (SceneInputs, SaysWhatIsWrongWithADepthImage)
 {
   const std::string file = saveDepths ("scene.png", depthsOfWall (1000));
-  EXPECT_EQ (error (file, {}), "a depth image needs the camera's -intrinsics fx,fy,cx,cy");
+  EXPECT_EQ (errorOfReading (file, {}), "a depth image needs the camera's -intrinsics fx,fy,cx,cy");
   SceneOptions options = withImageSize ();
   options.camera.width = 640;
-  EXPECT_EQ (error (file, options), "32 x 24 pixels, but the intrinsics are of 640 x 24");
-  EXPECT_EQ (error (saveDepths ("zero.png", depthsOfWall (0)), withCamera ()), "no depth: all values are 0");
+  EXPECT_EQ (errorOfReading (file, options), "32 x 24 pixels, but the intrinsics are of 640 x 24");
+  EXPECT_EQ (errorOfReading (saveDepths ("zero.png", depthsOfWall (0)), withCamera ()), "no depth: all values are 0");
   saveColors ("rgb.png", coloredWall ());
-  EXPECT_EQ (error (folder_ / "rgb.png", withCamera ()).find ("not a depth image: that has to be a 16-bit grey PNG"),
+  EXPECT_EQ (errorOfReading (folder_ / "rgb.png", withCamera ()).find ("not a depth image: that has to be a 16-bit grey PNG"),
              0u);
   test::writeText (folder_ / "text.png", "text");
-  EXPECT_EQ (error (folder_ / "text.png", withCamera ()).find ("cannot be read as PNG: "), 0u);
+  EXPECT_EQ (errorOfReading (folder_ / "text.png", withCamera ()).find ("cannot be read as PNG: "), 0u);
 
   options = withCamera ();
   options.color = folder_ / "none.png";
-  EXPECT_EQ (error (file, options), "its colour image " + (folder_ / "none.png") + ": no such file");
+  EXPECT_EQ (errorOfReading (file, options), "its colour image " + (folder_ / "none.png") + ": no such file");
   options.color = folder_ / "text.png";
-  EXPECT_EQ (error (file, options).find ("its colour image " + options.color + ": cannot be read as PNG"), 0u);
+  EXPECT_EQ (errorOfReading (file, options).find ("its colour image " + options.color + ": cannot be read as PNG"), 0u);
   options.color = folder_ / "small.png";
   saveColors ("small.png", test::wallBefore<pcl::PointXYZRGB> (16, 12));
-  EXPECT_EQ (error (file, options)
+  EXPECT_EQ (errorOfReading (file, options)
                  .find ("its colour image " + options.color +
                         ": 16 x 12 pixels, the depth image has 32 x 24: depth registered"),
              0u);
@@ -202,13 +185,13 @@ TEST_F (SceneInputs, SurvivesDamagedImages)
       else
         text[random () % text.size ()] = static_cast<char> (random ());
       test::writeText (damaged, text);
-      const std::string message = error (file, options);
+      const std::string message = errorOfReading (file, options);
       // The last twelve bytes say nothing but that the image ends.
       EXPECT_TRUE (text.size () + 12 >= whole.size () || !message.empty ()) << "cut to " << text.size ();
     }
     test::writeText (damaged, whole);
   }
-  EXPECT_EQ (error (file, options), "");
+  EXPECT_EQ (errorOfReading (file, options), "");
 }
 
 TEST_F (SceneInputs, ReadsPly)
@@ -229,7 +212,7 @@ TEST_F (SceneInputs, ReadsPly)
                    "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
                    "property double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n"
                    "0 0 1 9 8 7\n0.01 0 1 9 8 7\n0 0.01 1 9 8 7\n0.01 0.01 1 9 8 7\n");
-  EXPECT_EQ (error (file, {}).find ("not organized (4 x 1 points)"), 0u);
+  EXPECT_EQ (errorOfReading (file, {}).find ("not organized (4 x 1 points)"), 0u);
   SceneOptions options;
   options.image_width = 2;
   const Scene scene = readScene (file, options);
@@ -242,7 +225,7 @@ TEST_F (SceneInputs, SaysWhatIsWrongWithAPlyFile)
 {
   const auto errorOf = [&] (const std::string& text) {
     test::writeText (folder_ / "scene.ply", text);
-    return (error (folder_ / "scene.ply", withImageSize ()));
+    return (errorOfReading (folder_ / "scene.ply", withImageSize ()));
   };
   const std::string begin = "ply\nformat binary_little_endian 1.0\nelement vertex ";
   const std::string end = "property float x\nproperty float y\nproperty float z\nend_header\n";
@@ -276,7 +259,7 @@ TEST_F (SceneInputs, SurvivesDamagedPlyFiles)
       else
         text[random () % (trial % 4 == 1 ? 600 : text.size ())] = static_cast<char> (random ());
       test::writeText (file, text);
-      error (file, withImageSize ()); // any error or none, but one line that names the file, and no crash
+      errorOfReading (file, withImageSize ()); // any error or none, but one line that names the file, and no crash
     }
   }
 }
@@ -300,12 +283,12 @@ TEST_F (SceneInputs, OrganizesByTheIntrinsics)
              "organized by the intrinsics: 770 points in 32 x 24 pixels, 1 outside the image, 1 behind or "
              "before others");
 
-  EXPECT_EQ (error (file, {}).find ("not organized (770 x 1 points)"), 0u);
-  EXPECT_NE (error (file, withCamera ()).find ("the camera's image size is needed"), std::string::npos);
+  EXPECT_EQ (errorOfReading (file, {}).find ("not organized (770 x 1 points)"), 0u);
+  EXPECT_NE (errorOfReading (file, withCamera ()).find ("the camera's image size is needed"), std::string::npos);
   for (auto& point : points)
     point.z = -point.z;
   pcl::io::savePCDFileBinary (file, points);
-  EXPECT_EQ (error (file, withImageSize ()).find ("no point is seen by the camera of the intrinsics"), 0u);
+  EXPECT_EQ (errorOfReading (file, withImageSize ()).find ("no point is seen by the camera of the intrinsics"), 0u);
 }
 
 TEST_F (SceneInputs, OrganizesFromTheSensorPose)
@@ -351,7 +334,7 @@ TEST_F (SceneInputs, CutsTheRange)
   ASSERT_EQ (scene.notes.size (), 1u);
   EXPECT_EQ (scene.notes[0], "40 points beyond 2.5 m are left out");
   options.max_range = 0.5f;
-  EXPECT_EQ (error (folder_ / "scene.pcd", options), "all points are beyond -max_range 0.5 m");
+  EXPECT_EQ (errorOfReading (folder_ / "scene.pcd", options), "all points are beyond -max_range 0.5 m");
   options.max_range = 5.0f;
   EXPECT_TRUE (readScene (folder_ / "scene.pcd", options).notes.empty ());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files.h"
-#include "scene_io.h"
+#include "reading_errors.h"
 
 #include <pcl/io/pcd_io.h>
 
@@ -66,22 +66,10 @@ protected:
     return (readScene (file_));
   }
 
-  /** \brief The error without the file's name, which it must start with. */
   std::string
   error (const SceneOptions& options = {})
   {
-    try
-    {
-      readScene (file_, options);
-    }
-    catch (const std::runtime_error& error)
-    {
-      const std::string message = error.what ();
-      EXPECT_EQ (message.find (file_ + ": "), 0u) << message;
-      EXPECT_EQ (message.find ('\n'), std::string::npos) << message;
-      return (message.substr (file_.size () + 2));
-    }
-    return ("");
+    return (errorOfReading (file_, options));
   }
 
   std::string
