@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "point_at.h"
+
 #include <pcl_attention/core/attention_prior.h>
 #include <pcl_attention/core/compact_clustering.h>
 
@@ -36,12 +38,6 @@ labSimilarity (const Eigen::Vector3f& a, const Eigen::Vector3f& b, float toleran
   return (1.0f / (1.0f + difference.squaredNorm ()));
 }
 
-Eigen::Vector3f
-pointAt (const OrganizedCloud& cloud, pcl::index_t index)
-{
-  return {cloud.x[index], cloud.y[index], cloud.z[index]};
-}
-
 std::string
 rangeProblem (const char* name, const std::optional<ValueRange>& range)
 {
@@ -71,7 +67,7 @@ pixelMatch (const OrganizedCloud& cloud, const Eigen::Isometry3f& sensor_pose, c
   if (prior.box || prior.distance)
     for (std::size_t index = 0; index < cloud.size (); ++index)
     {
-      const Eigen::Vector3f point = pointAt (cloud, static_cast<pcl::index_t> (index));
+      const Eigen::Vector3f point = pointAt (cloud, index);
       if ((prior.box && !prior.box->contains (sensor_pose * point)) ||
           (prior.distance && !prior.distance->contains (point.norm ())))
         match[index] = 0.0f;

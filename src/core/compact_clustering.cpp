@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex_hull.h"
 #include "object_hull.h"
+#include "point_at.h"
 
 #include <pcl_attention/core/compact_clustering.h>
 #include <pcl_attention/core/supporting_plane.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace pcl_attention
@@ -56,6 +56,7 @@ struct CompactClustering::Piece
   int pixels{0};
   int perimeter{0};            /**< contour pairs */
   float hollowness{0.0f};           /**< of what has grown together */
+  std::vector<GrowthStep> steps;    /**< how it has grown */
   std::vector<const Piece*> joined; /**< what was joined to it */
   ColorHistogram surroundings; /**< the not-object, worked out when it is first needed after a change */
   bool surroundings_known{false};
@@ -77,8 +78,12 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   samples_.resize (count);
   hulls_.resize (count);
   pieces_.resize (count);
+  patch_hollowness_.resize (count);
   histograms_.resize (count);
   color_bins_ = colorBins (cloud);
+  for (std::size_t index = 0; index < color_bins_.size (); ++index)
+    if (cloud.valid[index])
+      scene_histogram_.add (color_bins_[index]);
   for (std::size_t label = 1; label < count; ++label)
   {
     const pcl::Indices& pixels = patches.patches[label - 1].pixels;
@@ -86,7 +91,7 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
     for (std::size_t sample = 0; sample < samples; ++sample)
     {
       const pcl::index_t index = pixels[sample * pixels.size () / samples];
-      samples_[label].push_back ({{cloud.x[index], cloud.y[index], cloud.z[index]},
+      samples_[label].push_back ({pointAt (cloud, index),
                                   {normals.x[index], normals.y[index], normals.z[index]},
                                   static_cast<float> (pixels.size ()) / static_cast<float> (samples)});
     }
@@ -111,7 +116,7 @@ CompactClustering::patchHull (int label)
     for (std::size_t i = 0; i < count; ++i)
     {
       const pcl::index_t index = pixels[i * pixels.size () / count];
-      points.emplace_back (cloud_.x[index], cloud_.y[index], cloud_.z[index]);
+      points.push_back (pointAt (cloud_, index));
     }
     hulls_[label] = std::make_unique<ObjectHull> (parameters_.hull_method, *hull_grid_);
     hulls_[label]->add (points);
@@ -157,7 +162,7 @@ CompactClustering::initialPatches (const AttentionPoint& point) const
 void
 CompactClustering::addPatch (int label, Piece& piece)
 {
-  ObjectHull united = piece.patches.empty () ? ObjectHull (parameters_.hull_method, *hull_grid_) : piece.hull;
+  ObjectHull united = piece.patches.empty () ? ObjectHull (parameters_.hull_method, *hull_grid_) : std::move (piece.hull);
   united.add (patchHull (label));
   addPatch (label, piece, std::move (united));
 }
@@ -185,17 +190,27 @@ CompactClustering::addPatch (int label, Piece& piece, ObjectHull&& united)
   piece.surroundings_known = false;
 }
 
-float
-CompactClustering::hollowness (const Piece& piece) const
+Eigen::Vector3f
+CompactClustering::centroidOf (const std::vector<int>& labels) const
 {
+  std::size_t pixels = 0;
+  for (const int label : labels)
+    pixels += patches_.patches[label - 1].pixels.size ();
   Eigen::Vector3f centroid = Eigen::Vector3f::Zero ();
-  for (const int label : piece.patches)
+  for (const int label : labels)
   {
     const PlanarPatch& patch = patches_.patches[label - 1];
-    centroid += patch.centroid * (static_cast<float> (patch.pixels.size ()) / static_cast<float> (piece.pixels));
+    centroid += patch.centroid * (static_cast<float> (patch.pixels.size ()) / static_cast<float> (pixels));
   }
+  return (centroid);
+}
+
+float
+CompactClustering::hollownessOf (const std::vector<int>& labels) const
+{
+  const Eigen::Vector3f centroid = centroidOf (labels);
   float sum = 0.0f, weights = 0.0f;
-  for (const int label : piece.patches)
+  for (const int label : labels)
     for (const Sample& sample : samples_[label])
     {
       const Eigen::Vector3f inwards = centroid - sample.point;
@@ -206,6 +221,14 @@ CompactClustering::hollowness (const Piece& piece) const
       weights += sample.weight;
     }
   return (weights > 0.0f ? sum / weights : 0.0f);
+}
+
+float
+CompactClustering::patchHollowness (int label)
+{
+  if (!patch_hollowness_[label])
+    patch_hollowness_[label] = hollownessOf ({label});
+  return (*patch_hollowness_[label]);
 }
 
 float
@@ -227,13 +250,17 @@ ColorHistogram
 CompactClustering::notObject (const Piece& piece) const
 {
   Image<std::uint8_t> enlarged (cloud_.width, cloud_.height, 0);
+  ColorHistogram within;
+  const auto enlarge = [&] (pcl::index_t index, std::vector<pcl::index_t>& ring) {
+    enlarged[index] = 1;
+    ring.push_back (index);
+    if (cloud_.valid[index])
+      within.add (color_bins_[index]);
+  };
   std::vector<pcl::index_t> front;
   for (const int label : piece.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
-    {
-      enlarged[index] = 1;
-      front.push_back (index);
-    }
+      enlarge (index, front);
   // Ring by ring, every pixel of the image counting, until the area is doubled.
   const std::size_t doubled = 2 * front.size ();
   std::size_t area = front.size ();
@@ -247,17 +274,14 @@ CompactClustering::notObject (const Piece& piece) const
         for (int c = column - 1; c <= column + 1; ++c)
           if (enlarged.contains (c, r) && !enlarged (c, r) && area < doubled)
           {
-            enlarged (c, r) = 1;
-            next.push_back (r * cloud_.width + c);
+            enlarge (r * cloud_.width + c, next);
             ++area;
           }
     }
     front = std::move (next);
   }
-  ColorHistogram histogram;
-  for (std::size_t index = 0; index < cloud_.size (); ++index)
-    if (cloud_.valid[index] && !enlarged[index])
-      histogram.add (color_bins_[index]);
+  ColorHistogram histogram = scene_histogram_;
+  histogram -= within;
   return (histogram);
 }
 
@@ -307,24 +331,19 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   {
     constexpr float certainly_curved = 0.2f;
     constexpr int color_size = 40;
-    Piece candidate;
-    candidate.patches = {label};
-    candidate.pixels = static_cast<int> (patches_.patches[label - 1].pixels.size ());
-    candidate.hollowness = hollowness (candidate);
+    const int pixels = std::min (piece.pixels, static_cast<int> (patches_.patches[label - 1].pixels.size ()));
     float limit = parameters_.minimum_convexity;
     if (parameters_.recognize_hollows)
     {
-      hollow = std::min (piece.hollowness, candidate.hollowness) > parameters_.minimum_hollowness;
+      const auto [less, more] = std::minmax ({piece.hollowness, patchHollowness (label)});
+      hollow = less > parameters_.minimum_hollowness;
       if (hollow)
         limit = std::min (limit, -0.7f);
-      const bool inside_and_outside =
-        std::max (piece.hollowness, candidate.hollowness) > certainly_curved &&
-        std::min (piece.hollowness, candidate.hollowness) < -certainly_curved &&
-        std::min (piece.pixels, candidate.pixels) >= certain_size;
+      const bool inside_and_outside = more > certainly_curved && less < -certainly_curved && pixels >= certain_size;
       if (inside_and_outside)
         return (refuse (GrowthConstraint::convexity, -2.0f, limit));
     }
-    if (std::min (piece.pixels, candidate.pixels) < color_size)
+    if (pixels < color_size)
       limit = std::min (limit, -0.6f);
     else if (!color_bins_.empty ())
       limit += parameters_.color_convexity *
@@ -357,10 +376,10 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
 }
 
 void
-CompactClustering::growOverBorders (Piece& piece, std::vector<GrowthStep>* steps)
+CompactClustering::growOverBorders (Piece& piece)
 {
   // What is joined later lies apart, so that only what has grown together tells whether it is hollow.
-  piece.hollowness = hollowness (piece);
+  piece.hollowness = hollownessOf (piece.patches);
   bool grown = true;
   while (grown)
   {
@@ -390,12 +409,11 @@ CompactClustering::growOverBorders (Piece& piece, std::vector<GrowthStep>* steps
       tried[best] = border.pairs;
       ObjectHull united;
       const GrowthStep step = tryPatch (best, border, piece, united);
-      if (steps)
-        steps->push_back (step);
+      piece.steps.push_back (step);
       if (step.refused_by == GrowthConstraint::none)
       {
         addPatch (best, piece, std::move (united));
-        piece.hollowness = hollowness (piece);
+        piece.hollowness = hollownessOf (piece.patches);
         grown = true;
       }
     }
@@ -409,7 +427,7 @@ CompactClustering::pieceAt (int label)
   {
     auto piece = std::make_unique<Piece> ();
     addPatch (label, *piece);
-    growOverBorders (*piece, nullptr);
+    growOverBorders (*piece);
     pieces_[label] = std::move (piece);
   }
   return (*pieces_[label]);
@@ -553,15 +571,6 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
 {
   if (object.pixels < certain_size || piece.pixels < certain_size || borderBetween (object, piece).pairs > 0)
     return (false);
-  const auto centroid = [this] (const Piece& of) {
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero ();
-    for (const int label : of.patches)
-    {
-      const PlanarPatch& patch = patches_.patches[label - 1];
-      sum += patch.centroid * (static_cast<float> (patch.pixels.size ()) / static_cast<float> (of.pixels));
-    }
-    return (sum);
-  };
   const auto centerPixel = [this] (const Piece& of) {
     Eigen::Vector2f sum = Eigen::Vector2f::Zero ();
     for (const int label : of.patches)
@@ -570,7 +579,7 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
                static_cast<float> (of.pixels);
     return (sum);
   };
-  const Eigen::Vector3f a = centroid (object), b = centroid (piece);
+  const Eigen::Vector3f a = centroidOf (object.patches), b = centroidOf (piece.patches);
   if ((a - b).norm () > 0.3f || chiSquare (object.histogram, piece.histogram) > 0.6f)
     return (false);
   const Eigen::Vector2f from = centerPixel (object), to = centerPixel (piece);
@@ -743,12 +752,17 @@ CompactClustering::outlineConfidence (const Piece& object) const
 }
 
 CompactClustering::Piece
-CompactClustering::wholeObject (const std::vector<int>& initial, std::vector<GrowthStep>* steps)
+CompactClustering::wholeObject (const std::vector<int>& initial)
 {
   Piece object;
-  for (const int label : initial)
-    addPatch (label, object);
-  growOverBorders (object, steps);
+  if (initial.size () == 1)
+    object = pieceAt (initial.front ());
+  else
+  {
+    for (const int label : initial)
+      addPatch (label, object);
+    growOverBorders (object);
+  }
   while (joinPiece (object))
   {
   }
@@ -756,7 +770,7 @@ CompactClustering::wholeObject (const std::vector<int>& initial, std::vector<Gro
 }
 
 void
-CompactClustering::takeLargerObject (Piece& object, std::vector<GrowthStep>& steps)
+CompactClustering::takeLargerObject (Piece& object)
 {
   std::vector<std::pair<int, int>> neighbors;
   for (const auto& [label, border] : object.borders)
@@ -769,12 +783,10 @@ CompactClustering::takeLargerObject (Piece& object, std::vector<GrowthStep>& ste
     const Piece& piece = pieceAt (neighbor.second);
     if (piece.pixels < much_larger * object.pixels || !seen.insert (*std::min_element (piece.patches.begin (), piece.patches.end ())).second)
       continue;
-    std::vector<GrowthStep> larger_steps;
-    Piece larger = wholeObject ({neighbor.second}, &larger_steps);
+    Piece larger = wholeObject ({neighbor.second});
     if (2 * commonPixels (larger, object) > object.pixels)
     {
       object = std::move (larger);
-      steps = std::move (larger_steps);
       return;
     }
   }
@@ -788,9 +800,10 @@ CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
   const std::vector<int> initial = initialPatches (point);
   if (initial.empty ())
     return (false);
-  Piece object = wholeObject (initial, &segment.steps);
+  Piece object = wholeObject (initial);
   if (parameters_.join_handles)
-    takeLargerObject (object, segment.steps);
+    takeLargerObject (object);
+  segment.steps = std::move (object.steps);
 
   int longest = 0;
   for (const GrowthStep& step : segment.steps)

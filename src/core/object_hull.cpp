@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "object_hull.h"
-
-#include <pcl_attention/core/organized_cloud.h>
+#include "point_at.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pcl_attention
@@ -51,7 +51,7 @@ HullGrid::HullGrid (const OrganizedCloud& cloud)
   for (std::size_t index = 0; index < cloud.size (); ++index)
     if (cloud.valid[index])
     {
-      const Eigen::Vector3f point (cloud.x[index], cloud.y[index], cloud.z[index]);
+      const Eigen::Vector3f point = pointAt (cloud, index);
       low = low.cwiseMin (point);
       high = high.cwiseMax (point);
     }
@@ -83,6 +83,8 @@ GrowingHull::add (const GrowingHull& other)
 void
 GrowingHull::addOnGrid (const std::vector<Eigen::Vector3d>& points)
 {
+  if (points.empty ())
+    return;
   const auto first = static_cast<int> (points_.size ());
   if (facets_.empty ())
   {
@@ -105,8 +107,6 @@ GrowingHull::addOnGrid (const std::vector<Eigen::Vector3d>& points)
 bool
 GrowingHull::startTetrahedron ()
 {
-  if (points_.empty ())
-    return (false);
   const auto farthest = [this] (const auto& distance) {
     return (static_cast<int> (std::max_element (points_.begin (), points_.end (),
                                                 [&] (const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

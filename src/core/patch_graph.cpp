@@ -3,7 +3,6 @@
 #include <pcl_attention/core/skeleton.h>
 
 #include <algorithm>
-#include <array>
 
 namespace pcl_attention
 {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "point_at.h"
+
 #include <pcl_attention/core/parameters.h>
 #include <pcl_attention/core/pipeline.h>
 
@@ -35,12 +37,6 @@ private:
   double& milliseconds_;
   std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now ()};
 };
-
-Eigen::Vector3f
-pointAt (const OrganizedCloud& cloud, pcl::index_t index)
-{
-  return {cloud.x[index], cloud.y[index], cloud.z[index]};
-}
 
 /** \brief Work in one thread of a team, which an exception must not leave. */
 template <typename Work> std::exception_ptr

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "point_at.h"
 #include "region_growing.h"
 
 #include <pcl_attention/core/planar_patches.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace pcl_attention
 {
@@ -24,7 +24,6 @@ void
 reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, Image<int>& labels)
 {
   std::vector<int> front;
-  const auto position = [&] (int index) { return (Eigen::Vector3f (cloud.x[index], cloud.y[index], cloud.z[index])); };
   const auto bestNeighbor = [&] (int index) {
     const int column = index % cloud.width, row = index / cloud.width;
     int best = 0;
@@ -34,7 +33,7 @@ reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, Image<in
       const int c = column + offset[0], r = row + offset[1];
       if (!labels.contains (c, r) || !labels (c, r))
         continue;
-      const float distance = (position (r * cloud.width + c) - position (index)).squaredNorm ();
+      const float distance = (pointAt (cloud, r * cloud.width + c) - pointAt (cloud, index)).squaredNorm ();
       if (distance < nearest)
       {
         nearest = distance;
@@ -102,10 +101,10 @@ describePatches (const OrganizedCloud& cloud, PlanarPatches& result)
       continue;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero (), diagonal = sum, mixed = sum; // mixed: xy, yz, zx
     const pcl::index_t first = patch.pixels.front ();
-    const Eigen::Vector3d origin (cloud.x[first], cloud.y[first], cloud.z[first]);
+    const Eigen::Vector3d origin = pointAt (cloud, first).cast<double> ();
     for (const pcl::index_t index : patch.pixels)
     {
-      const Eigen::Vector3d point = Eigen::Vector3d (cloud.x[index], cloud.y[index], cloud.z[index]) - origin;
+      const Eigen::Vector3d point = pointAt (cloud, index).cast<double> () - origin;
       sum += point;
       diagonal += point.cwiseProduct (point);
       mixed += Eigen::Vector3d (point.x () * point.y (), point.y () * point.z (), point.z () * point.x ());

@@ -5,8 +5,6 @@
 #include <pcl_attention/core/pyramid.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace pcl_attention
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "point_at.h"
 #include "region_growing.h"
 
 #include <algorithm>
@@ -82,7 +83,6 @@ growOnGrid (const OrganizedCloud& cloud, const NormalImage& normals, const Patch
         pixels.push_back (pixel);
       }
     }
-  const auto pointOf = [&] (int pixel) { return (Eigen::Vector3f (cloud.x[pixel], cloud.y[pixel], cloud.z[pixel])); };
   const auto normalOf = [&] (int pixel) { return (Eigen::Vector3f (normals.x[pixel], normals.y[pixel], normals.z[pixel])); };
 
   struct Step
@@ -99,17 +99,17 @@ growOnGrid (const OrganizedCloud& cloud, const NormalImage& normals, const Patch
     std::size_t size = 0;
     region[size++] = seed;
     cells[seed] &= ~open;
-    plane.start (pointOf (seed), normalOf (seed));
+    plane.start (pointAt (cloud, seed), normalOf (seed));
     for (std::size_t front = 0; front < size; ++front)
     {
       const int member = region[front];
-      const Eigen::Vector3f member_point = pointOf (member), member_normal = normalOf (member);
+      const Eigen::Vector3f member_point = pointAt (cloud, member), member_normal = normalOf (member);
       for (const Step& step : steps)
       {
         const int next = member + step.offset;
         if (!(cells[next] & open) || (cells[member] & step.blocked_at))
           continue;
-        const Eigen::Vector3f point = pointOf (next), normal = normalOf (next);
+        const Eigen::Vector3f point = pointAt (cloud, next), normal = normalOf (next);
         if (!plane.takes (point, normal, member_point, member_normal))
           continue;
         plane.add (point, normal);

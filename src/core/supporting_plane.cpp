@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex_hull.h"
 #include "instruction_set.h"
+#include "point_at.h"
 
 #include <pcl_attention/core/normals.h>
 #include <pcl_attention/core/pyramid.h>
@@ -19,12 +20,6 @@ namespace pcl_attention
 
 namespace
 {
-
-Eigen::Vector3f
-pointAt (const OrganizedCloud& cloud, std::size_t index)
-{
-  return {cloud.x[index], cloud.y[index], cloud.z[index]};
-}
 
 /** \brief Area a pixel covers on a surface with this normal, m^2. */
 float
@@ -100,9 +95,6 @@ struct PlaneFit
 {
   Eigen::Vector3f normal;
   float offset;
-
-  float
-  height (const Eigen::Vector3f& point) const { return (normal.dot (point) + offset); }
 };
 
 /** \brief So many points, evenly taken, fix a plane as well as all of them. */

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace pcl_attention
 {
@@ -159,10 +160,9 @@ private:
   void
   addPatch (int label, Piece& piece, ObjectHull&& united);
 
-  /** \brief Try every neighbour, the longest connected border first, until none can be added.
-    * \param[out] steps what was tried; may be null */
+  /** \brief Try every neighbour, the longest connected border first, until none can be added. */
   void
-  growOverBorders (Piece& piece, std::vector<GrowthStep>* steps);
+  growOverBorders (Piece& piece);
 
   /** \brief Ask all constraints about a patch.
     * \param[in] border from the piece to the patch
@@ -187,10 +187,15 @@ private:
   ColorHistogram
   notObject (const Piece& piece) const;
 
-  /** \brief Mean of n . (c - p) / |c - p| over the points p, c their centroid: > 0 for the inside of a hollow, < 0 for an
-    * outside, about 0 for a plane. */
+  Eigen::Vector3f
+  centroidOf (const std::vector<int>& labels) const;
+
+  /** \brief Mean of n . (c - p) / |c - p| over the points p of some patches, c their centroid: > 0 for the inside of a hollow,
+    * < 0 for an outside, about 0 for a plane. */
   float
-  hollowness (const Piece& piece) const;
+  hollownessOf (const std::vector<int>& labels) const;
+  float
+  patchHollowness (int label);
 
   /** \brief What grows from a patch on its own. */
   const Piece&
@@ -218,11 +223,11 @@ private:
 
   /** \brief Grow from the initial patches and join what belongs to the object. */
   Piece
-  wholeObject (const std::vector<int>& initial, std::vector<GrowthStep>* steps);
+  wholeObject (const std::vector<int>& initial);
 
   /** \brief A fixation may lie on a handle: if a much larger neighbour, grown on its own, takes the object in, it is the object. */
   void
-  takeLargerObject (Piece& object, std::vector<GrowthStep>& steps);
+  takeLargerObject (Piece& object);
 
   /** \brief 1 at pixels within the outline of an object's hollow, its convex hull in the image; empty without a hollow. */
   std::vector<std::uint8_t>
@@ -264,7 +269,9 @@ private:
   std::vector<std::vector<Sample>> samples_;                /**< of label k at [k] */
   std::vector<std::unique_ptr<ObjectHull>> hulls_;          /**< of label k at [k]; null until asked for */
   std::vector<std::unique_ptr<Piece>> pieces_;              /**< from label k at [k]; null until asked for */
+  std::vector<std::optional<float>> patch_hollowness_;      /**< of label k at [k], once asked for */
   std::vector<ColorHistogram> histograms_;                  /**< of label k at [k]; empty without colour */
+  ColorHistogram scene_histogram_;                          /**< of all points; empty without colour */
   std::vector<std::uint8_t> color_bins_;                    /**< of every pixel; empty without colour */
 };
 
