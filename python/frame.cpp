@@ -4,7 +4,6 @@
 #include <pcl/segmentation/impl/organized_cloud.hpp>
 
 #include <array>
-#include <thread>
 #include <type_traits>
 
 namespace py = pybind11;
@@ -187,7 +186,7 @@ Frame::Frame (const Points& points_of_frame, const py::kwargs& arguments) : poin
   if (width == 1 || height == 1)
     throw py::value_error ("xyz has the shape " + shapeText (points) + ", which is no image");
 
-  AttentionParameters parameters = parametersOf (arguments);
+  const AttentionParameters parameters = parametersOf (arguments);
   const Eigen::Isometry3f pose = sensorPoseOf (arguments);
   py::array_t<std::uint8_t, py::array::forcecast> colors;
   const py::object rgb = argumentOf (arguments, "rgb");
@@ -199,28 +198,19 @@ Frame::Frame (const Points& points_of_frame, const py::kwargs& arguments) : poin
     taken = imageOf<bool> (mask, "mask", "bool", width, height, 0);
   const py::object own_saliency = argumentOf (arguments, "saliency"),
                    own_fixations = argumentOf (arguments, "fixations");
-  std::optional<SaliencyMaps> maps;
+  std::optional<Image<float>> map;
   if (!own_saliency.is_none ())
-  {
-    maps.emplace ();
-    maps->saliency = saliencyOf (own_saliency, width, height);
-    maps->maximum = *std::max_element (maps->saliency.data.begin (), maps->saliency.data.end ());
-    maps->winning_level.assign (width, height, 0);
-    maps->winning_plane.assign (width, height, 0);
-  }
+    map = saliencyOf (own_saliency, width, height);
   std::optional<AttentionPoints> fixations;
   if (!own_fixations.is_none ())
   {
     fixations.emplace ();
     fixations->points = fixationsOf (own_fixations, width, height);
-    parameters.segmentation.prefer_supported = false; // The user's order stands.
   }
   const py::object threads_argument = argumentOf (arguments, "threads");
-  int threads = threads_argument.is_none () ? 0 : threads_argument.cast<int> ();
+  const int threads = threads_argument.is_none () ? 0 : threads_argument.cast<int> ();
   if (threads < 0)
     throw py::value_error ("threads is " + std::to_string (threads) + ", but must be 0 (all) or more");
-  if (threads == 0)
-    threads = static_cast<int> (std::max (1u, std::thread::hardware_concurrency ()));
 
   const auto at = points.unchecked<3> ();
   const py::gil_scoped_release released;
@@ -257,8 +247,8 @@ Frame::Frame (const Points& points_of_frame, const py::kwargs& arguments) : poin
     }
   }
   pipeline.start (std::move (flat), pose, parameters, threads);
-  if (maps)
-    pipeline.setSaliency (std::move (*maps));
+  if (map)
+    pipeline.setSaliency (std::move (*map));
   if (fixations)
     pipeline.setAttentionPoints (std::move (*fixations));
 }
