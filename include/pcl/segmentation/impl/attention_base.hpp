@@ -124,13 +124,15 @@ AttentionBase<PointT>::checkInput () const
   if (attention_points_)
     for (auto point = attention_points_->begin (); problem.empty () && point != attention_points_->end (); ++point)
       problem = pcl_attention::checkPoint (*point, *input_);
-  return (problem.empty () ? checkPrior () : problem);
+  return (problem);
 }
 
 template <typename PointT>
 std::string
 AttentionBase<PointT>::checkPrior () const
 {
+  if (attention_points_)
+    return (""); // whose order stands
   const std::string problem =
       pcl_attention::validate (prior_, static_cast<int> (input_->width), static_cast<int> (input_->height),
                                pcl_attention::HasRgb<PointT>::value);
@@ -177,19 +179,17 @@ AttentionBase<PointT>::run (const char* method, const Work& work)
 {
   try
   {
+    std::string problem = started_ ? "" : checkInput ();
+    prior_is_new_ = prior_is_new_ || !started_;
+    if (problem.empty () && prior_is_new_)
+      problem = checkPrior ();
+    if (!accept (method, problem))
+      return (false);
     if (!started_)
-    {
-      if (!accept (method, checkInput ()))
-        return (false);
       start ();
-      started_ = prior_is_new_ = true;
-    }
+    started_ = true;
     if (prior_is_new_ && !attention_points_)
-    {
-      if (!accept (method, checkPrior ()))
-        return (false);
       pipeline_.setPrior (pcl_attention::AttentionPrior (prior_));
-    }
     prior_is_new_ = false;
     return (work ());
   }
