@@ -57,10 +57,7 @@ vectorOf (const py::object& argument, const char* name, const Eigen::Matrix<floa
     return (otherwise);
   const auto array = py::array_t<float, py::array::forcecast>::ensure (argument);
   if (!array)
-  {
-    PyErr_Clear ();
     throw py::type_error (std::string (name) + " must be " + std::to_string (size) + " numbers");
-  }
   if (array.ndim () != 1 || array.shape (0) != size)
     throw py::value_error (std::string (name) + " has the shape " + shapeText (array) + ", but must be " +
                            std::to_string (size) + " numbers");
@@ -92,10 +89,7 @@ fixationsOf (const py::object& argument, int width, int height)
   std::vector<AttentionPoint> fixations;
   const auto array = py::array_t<double, py::array::forcecast>::ensure (argument);
   if (!array)
-  {
-    PyErr_Clear ();
     throw py::type_error ("fixations must be pairs of column and row");
-  }
   if (array.size () == 0)
     return (fixations);
   if (array.ndim () != 2 || array.shape (1) != 2)
@@ -134,8 +128,9 @@ saliencyOf (const py::object& argument, int width, int height)
 std::string
 textOf (const py::handle& value)
 {
-  if (py::isinstance<py::bool_> (value))
-    return (value.cast<bool> () ? "on" : "off");
+  py::detail::make_caster<bool> flag; // bool or numpy.bool_, and nothing that merely is true or false
+  if (flag.load (value, false))
+    return (flag ? "on" : "off");
   return (py::str (value).cast<std::string> ());
 }
 

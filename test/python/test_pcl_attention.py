@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import threading
@@ -131,6 +132,32 @@ def test_iterates_in_order_of_attention(scene, objects):
     assert np.array_equal(first.indices, objects[0].indices)
 
 
+def test_refuses_a_second_thread_on_the_same_iterator(scene, objects):
+    """While one thread computes an object, another one that asks for the next is told so; the objects stay the same."""
+    iterator = pcl_attention.iterate(*scene, threads=1)
+    found, refused = [], []
+    together = threading.Barrier(2)
+
+    def take():
+        together.wait()
+        while True:
+            try:
+                found.append(next(iterator))
+            except StopIteration:
+                return
+            except ValueError as error:
+                refused.append(str(error))
+                time.sleep(0.001)
+
+    threads = [threading.Thread(target=take) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert same(sorted(found, key=lambda segment: segment.rank), objects)
+    assert refused and set(refused) == {"iterator already executing"}
+
+
 def test_keeps_to_the_mask(scene):
     mask = np.zeros(scene[0].shape[:2], dtype=bool)
     mask[60:180, 40:160] = True
@@ -185,8 +212,21 @@ def test_takes_every_parameter(scene):
     paper = pcl_attention.parameters(preset="paper")
     assert paper != table
     assert pcl_attention.parameters(parts=True)["join_hollows"] is False
+    assert pcl_attention.parameters(coverage=np.False_)["coverage"] is False
+    assert pcl_attention.parameters(levels=np.int64(3), full_size=np.float32(0.1))["full_size"] == 0.1
     assert same(pcl_attention.segment(*scene, **paper), pcl_attention.segment(*scene, preset="paper"))
     assert len(pcl_attention.segment(*scene, minimum_segment_size=10**6)) == 0
+
+
+def test_gives_the_same_parameters_in_any_locale(tmp_path):
+    if shutil.which("localedef") is None or subprocess.run(
+            ["localedef", "-i", "de_DE", "-f", "UTF-8", tmp_path / "de_DE.UTF-8"], capture_output=True).returncode != 0:
+        pytest.skip("a locale with a decimal comma cannot be made: no localedef, or no sources of locales")
+    script = ("import locale, json, pcl_attention; locale.setlocale(locale.LC_ALL, 'de_DE.UTF-8'); "
+              "assert locale.localeconv()['decimal_point'] == ','; print(json.dumps(pcl_attention.parameters()))")
+    run = subprocess.run([sys.executable, "-c", script], env={**os.environ, "LOCPATH": str(tmp_path)}, check=True,
+                         capture_output=True, text=True)
+    assert json.loads(run.stdout) == pcl_attention.parameters()
 
 
 @pytest.mark.parametrize("error, message, arguments", [
