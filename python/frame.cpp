@@ -4,6 +4,7 @@
 #include <pcl/segmentation/impl/organized_cloud.hpp>
 
 #include <array>
+#include <pybind11/stl.h>
 #include <type_traits>
 
 namespace py = pybind11;
@@ -14,8 +15,14 @@ namespace pcl_attention
 namespace
 {
 
-const std::array<const char*, 9> arguments_of_a_frame{
-    "rgb", "mask", "sensor_origin", "sensor_orientation", "saliency", "fixations", "threads", "preset", "parts"};
+const std::array<const char*, 16> arguments_of_a_frame{"rgb",           "mask",
+                                                       "sensor_origin", "sensor_orientation",
+                                                       "saliency",      "fixations",
+                                                       "threads",       "preset",
+                                                       "parts",         "prior_map",
+                                                       "prior_region",  "prior_box",
+                                                       "prior_color",   "prior_color_exemplar",
+                                                       "prior_size",    "prior_distance"};
 
 std::string
 shapeText (const py::array& array)
@@ -28,6 +35,22 @@ py::object
 argumentOf (const py::kwargs& arguments, const char* name)
 {
   return (arguments.contains (name) ? py::object (arguments[name]) : py::object (py::none ()));
+}
+
+/** \brief The argument as C++ has it.
+ * \param[in] type what it must be, for the error */
+template <typename T>
+T
+valueOf (const py::object& argument, const char* name, const std::string& type)
+{
+  try
+  {
+    return (argument.cast<T> ());
+  }
+  catch (const py::cast_error&)
+  {
+    throw py::type_error (std::string (name) + " must be " + type);
+  }
 }
 
 /** \brief An argument of the image's size.
@@ -107,6 +130,77 @@ fixationsOf (const py::object& argument, int width, int height)
     fixations.back ().row = static_cast<int> (row);
   }
   return (fixations);
+}
+
+std::array<std::uint8_t, 3>
+colorOf (const py::object& argument, const char* name)
+{
+  std::string names;
+  for (const auto& [color_name, color] : namedColors ())
+  {
+    if (py::isinstance<py::str> (argument) && argument.cast<std::string> () == color_name)
+      return (color);
+    names += ", " + color_name;
+  }
+  return (valueOf<std::array<std::uint8_t, 3>> (argument, name,
+                                                "red, green, blue from 0 to 255, or one of" + names.substr (1)));
+}
+
+ColorHistogram
+colorsOf (const py::object& argument, const char* name)
+{
+  const auto array = py::array::ensure (argument);
+  if (!array || !py::isinstance<py::array_t<std::uint8_t>> (array))
+    throw py::type_error (std::string (name) + " must be an array of uint8");
+  if (array.ndim () != 2 || array.shape (1) != 3)
+    throw py::value_error (std::string (name) + " has the shape " + shapeText (array) +
+                           ", but must have (n, 3): the colours of an example's points");
+  ColorHistogram colors;
+  const auto pixels = py::array_t<std::uint8_t> (array);
+  const auto at = pixels.unchecked<2> ();
+  for (py::ssize_t i = 0; i < at.shape (0); ++i)
+    colors.add (colorBin (at (i, 0), at (i, 1), at (i, 2)));
+  return (colors);
+}
+
+/** \brief What the arguments prior_... ask for; still to be checked. */
+AttentionPrior
+priorOf (const py::kwargs& arguments, int width, int height)
+{
+  AttentionPrior prior;
+  const auto ask = [&] (const char* name, const auto& take) {
+    const py::object argument = argumentOf (arguments, name);
+    if (!argument.is_none ())
+      take (argument, name);
+  };
+  const auto rangeOf = [] (const py::object& argument, const char* name) -> ValueRange {
+    const auto range = valueOf<std::pair<float, float>> (argument, name, "two numbers: minimum and maximum, metres");
+    return {range.first, range.second};
+  };
+  ask ("prior_map", [&] (const py::object& argument, const char* name) {
+    const auto values = imageOf<float> (argument, name, "float32", width, height, 0);
+    const auto at = values.unchecked<2> ();
+    prior.map.assign (width, height);
+    for (int row = 0; row < height; ++row)
+      for (int column = 0; column < width; ++column)
+        prior.map (column, row) = at (row, column);
+  });
+  ask ("prior_region", [&] (const py::object& argument, const char* name) {
+    const auto region = valueOf<std::array<int, 4>> (argument, name, "whole numbers: column, row, width and height");
+    prior.region = PixelRegion{region[0], region[1], region[2], region[3]};
+  });
+  ask ("prior_box", [&] (const py::object& argument, const char* name) {
+    const auto corners =
+        valueOf<std::array<std::array<float, 3>, 2>> (argument, name, "two corners of three numbers each");
+    prior.box = Eigen::AlignedBox3f (Eigen::Vector3f (corners[0].data ()), Eigen::Vector3f (corners[1].data ()));
+  });
+  ask ("prior_color", [&] (const py::object& argument, const char* name) { prior.color = colorOf (argument, name); });
+  ask ("prior_color_exemplar",
+       [&] (const py::object& argument, const char* name) { prior.color_exemplar = colorsOf (argument, name); });
+  ask ("prior_size", [&] (const py::object& argument, const char* name) { prior.size = rangeOf (argument, name); });
+  ask ("prior_distance",
+       [&] (const py::object& argument, const char* name) { prior.distance = rangeOf (argument, name); });
+  return (prior);
 }
 
 Image<float>
@@ -202,8 +296,12 @@ Frame::Frame (const Points& points_of_frame, const py::kwargs& arguments) : poin
     fixations.emplace ();
     fixations->points = fixationsOf (own_fixations, width, height);
   }
+  AttentionPrior prior = priorOf (arguments, width, height);
+  const std::string problem = validate (prior, width, height, !rgb.is_none ());
+  if (!problem.empty ())
+    throw py::value_error (problem);
   const py::object threads_argument = argumentOf (arguments, "threads");
-  const int threads = threads_argument.is_none () ? 0 : threads_argument.cast<int> ();
+  const int threads = threads_argument.is_none () ? 0 : valueOf<int> (threads_argument, "threads", "a whole number");
   if (threads < 0)
     throw py::value_error ("threads is " + std::to_string (threads) + ", but must be 0 (all) or more");
 
@@ -245,7 +343,9 @@ Frame::Frame (const Points& points_of_frame, const py::kwargs& arguments) : poin
   if (map)
     pipeline.setSaliency (std::move (*map));
   if (fixations)
-    pipeline.setAttentionPoints (std::move (*fixations));
+    pipeline.setAttentionPoints (std::move (*fixations)); // which keep their order whatever is asked for
+  else
+    pipeline.setPrior (std::move (prior));
 }
 
 } // namespace pcl_attention

@@ -195,6 +195,11 @@ mask: (height, width), bool: points that are not True count as holes.
 sensor_origin, sensor_orientation: the camera's pose (x, y, z; w, x, y, z) where xyz is in another frame.
 saliency: (height, width), from 0 up: used instead of 2.5D symmetry.
 fixations: pairs of column and row to look at first, in this order, instead of those of the saliency.
+prior_map, prior_region, prior_box, prior_color, prior_color_exemplar, prior_size, prior_distance: what is asked for
+  comes first, nothing is left out; those that are given multiply, and given fixations keep their order.
+  map: (height, width), 0..1 or bool. region: column, row, width, height in pixels. box: its smaller and its larger
+  corner, metres, where xyz is. color: red, green, blue in 0..255, or a name like 'red'. color_exemplar: (n, 3), uint8,
+  the colours of an example. size: smallest and largest length, metres. distance: the same, from the viewpoint.
 threads: 0 takes all processors. The result does not depend on it.
 preset: 'default' or 'paper'.
 parts: visible pieces instead of whole objects.

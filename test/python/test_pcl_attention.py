@@ -176,6 +176,42 @@ def test_looks_where_it_is_told(scene):
     assert (scene[1][segments[0].mask][:, 2] == 200).mean() > 0.95
 
 
+def test_puts_first_what_is_asked_for(scene, objects):
+    xyz, rgb = scene
+    for target in objects[:3]:
+        mask, points = target.mask, target.points
+        rows, columns = np.nonzero(mask)
+        distances = np.linalg.norm(points, axis=1)
+        priors = {
+            "prior_map": mask,
+            "prior_region": (columns.min(), rows.min(), np.ptp(columns) + 1, np.ptp(rows) + 1),
+            "prior_box": (points.min(axis=0), points.max(axis=0)),
+            "prior_color": np.median(rgb[mask], axis=0).astype(np.uint8),
+            "prior_color_exemplar": rgb[mask],
+            "prior_distance": (distances.min(), distances.max()),
+        }
+        for name, prior in priors.items():
+            found = pcl_attention.segment(xyz, rgb, **{name: prior})
+            assert len(found) >= len(objects)
+            if name != "prior_distance":  # another object may be as far away
+                assert np.isin(found[0].indices, target.indices).mean() > 0.9, name
+        assert pcl_attention.attention_points(xyz, rgb, prior_map=mask)[0].saliency > 0.0
+    blue = next(pcl_attention.iterate(xyz, rgb, prior_color="blue"))
+    assert (rgb[blue.mask][:, 2] == 200).mean() > 0.95
+    longest = [max(segment.box_size) for segment in objects[:3]]
+    large = pcl_attention.segment(xyz, rgb, prior_size=(max(longest) - 0.01, max(longest) + 0.01))
+    small = pcl_attention.segment(xyz, rgb, prior_size=(0.0, min(longest)))
+    assert max(large[0].box_size) > max(small[0].box_size)
+    everywhere = np.ones(xyz.shape[:2])
+    assert same(pcl_attention.segment(xyz, rgb, prior_map=everywhere), objects)
+
+
+def test_keeps_the_order_of_fixations_whatever_is_asked_for(scene, objects):
+    fixations = [(segment.attention_point.column, segment.attention_point.row) for segment in reversed(list(objects))]
+    assert same(pcl_attention.segment(*scene, fixations=fixations, prior_map=objects[0].mask),
+                pcl_attention.segment(*scene, fixations=fixations))
+
+
 def test_gives_saliency_and_points(scene, objects):
     saliency = pcl_attention.saliency(*scene)
     assert saliency.shape == scene[0].shape[:2] and saliency.dtype == np.float32
@@ -245,6 +281,21 @@ def test_gives_the_same_parameters_in_any_locale(tmp_path):
     (ValueError, "levels is '99', but must be a whole number from 1 to 8", {"levels": 99}),
     (ValueError, "preset is 'best', but must be 'default' or 'paper'", {"preset": "best"}),
     (ValueError, "threads is -1, but must be 0 (all) or more", {"threads": -1}),
+    (TypeError, "threads must be a whole number", {"threads": "all"}),
+    (ValueError, "prior_map has the shape (2, 2), but must have (240, 320), as xyz", {"prior_map": np.zeros((2, 2))}),
+    (ValueError, "the map of the prior holds 2.0", {"prior_map": np.full((240, 320), 2.0)}),
+    (TypeError, "prior_region must be whole numbers: column, row, width and height", {"prior_region": (1, 2, 3)}),
+    (ValueError, "the region of the prior has 5 x 5 pixels from column 320", {"prior_region": (320, 0, 5, 5)}),
+    (TypeError, "prior_box must be two corners of three numbers each", {"prior_box": (0, 0, 0, 1, 1, 1)}),
+    (ValueError, "the box of the prior is empty or not finite", {"prior_box": ((0, 0, 1), (1, 1, 0))}),
+    (TypeError, "prior_color must be red, green, blue from 0 to 255, or one of black, grey", {"prior_color": "reddish"}),
+    (TypeError, "prior_color must be red, green, blue from 0 to 255", {"prior_color": (0, 0, 256)}),
+    (ValueError, "the prior asks for a colour, but the cloud has none", {"prior_color": "red"}),
+    (TypeError, "prior_color_exemplar must be an array of uint8", {"prior_color_exemplar": np.zeros((5, 3))}),
+    (ValueError, "prior_color_exemplar has the shape (5,), but must have (n, 3)",
+     {"prior_color_exemplar": np.zeros(5, np.uint8)}),
+    (TypeError, "prior_size must be two numbers: minimum and maximum, metres", {"prior_size": 0.2}),
+    (ValueError, "the distance of the prior is from 2.0", {"prior_distance": (2.0, 1.0)}),
     (TypeError, "there is no argument 'level'; pcl_attention.parameters () lists", {"level": 3}),
 ])
 def test_says_what_is_wrong(scene, error, message, arguments):
