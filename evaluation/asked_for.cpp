@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/asked_for.h"
 
-#include <Eigen/Eigenvalues>
 #include <pcl/segmentation/attention_segmentation.h>
+#include <pcl/segmentation/impl/organized_cloud.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -39,27 +39,6 @@ nearestNamedColor (const Color& color)
                                       colorSimilarity (b.second, color, tolerance));
                             })
               ->second);
-}
-
-/** \brief Extent along the first principal axis, metres. */
-float
-longestSide (const Cloud& cloud, const pcl::Indices& pixels)
-{
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero ();
-  for (const pcl::index_t pixel : pixels)
-    mean += cloud[pixel].getVector3fMap () / static_cast<float> (pixels.size ());
-  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero ();
-  for (const pcl::index_t pixel : pixels)
-  {
-    const Eigen::Vector3f difference = cloud[pixel].getVector3fMap () - mean;
-    covariance += difference * difference.transpose ();
-  }
-  const Eigen::Vector3f axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> (covariance).eigenvectors ().col (2);
-  std::vector<float> along;
-  for (const pcl::index_t pixel : pixels)
-    along.push_back (axis.dot (cloud[pixel].getVector3fMap ()));
-  const auto [low, high] = std::minmax_element (along.begin (), along.end ());
-  return (*high - *low);
 }
 
 /** \brief Distances from the viewpoint, ascending, metres. */
@@ -154,12 +133,12 @@ priorFor (const Cloud& cloud, const GroundTruth& truth, int region, AskedFor ask
       break;
     case AskedFor::size:
     {
-      const float side = longestSide (cloud, pixels);
+      const float side = longestSide (gather (cloud, nullptr), pixels);
       prior.size = ValueRange{0.9f * side, 1.1f * side};
       break;
     }
     case AskedFor::coarse_size:
-      prior.size = around (longestSide (cloud, pixels), 0.05f);
+      prior.size = around (longestSide (gather (cloud, nullptr), pixels), 0.05f);
       break;
     case AskedFor::distance:
     {

@@ -1,27 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/png_file.h"
 
+#include "evaluation/file_error.h"
+
 #include <png.h>
-#include <stdexcept>
 
 namespace pcl_attention
 {
-namespace
-{
-
-[[noreturn]] void
-fail (const std::string& file, const std::string& message)
-{
-  throw std::runtime_error (file + ": " + message);
-}
-
-std::string
-sizeText (int width, int height)
-{
-  return (std::to_string (width) + "x" + std::to_string (height));
-}
-
-} // namespace
 
 Image<std::uint8_t>
 readGreyPng (const std::string& file, int width, int height)
@@ -36,7 +21,8 @@ readGreyPng (const std::string& file, int width, int height)
   if (!is_grey || image_width != width || image_height != height)
   {
     png_image_free (&image);
-    fail (file, is_grey ? sizeText (image_width, image_height) + " pixels, the scene has " + sizeText (width, height)
+    fail (file, is_grey ? imageSizeText (image_width, image_height) + " pixels, the scene has " +
+                              imageSizeText (width, height)
                         : "not an 8-bit grey image");
   }
   Image<std::uint8_t> values (width, height);

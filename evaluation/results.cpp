@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/results.h"
 
+#include "evaluation/file_error.h"
 #include "evaluation/pcd_file.h"
 #include "evaluation/png_file.h"
 
@@ -15,7 +16,6 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 
 namespace fs = std::filesystem;
 
@@ -23,18 +23,6 @@ namespace pcl_attention
 {
 namespace
 {
-
-[[noreturn]] void
-fail (const fs::path& file, const std::string& message)
-{
-  throw std::runtime_error (file.string () + ": " + message);
-}
-
-std::string
-sizeText (int width, int height)
-{
-  return (std::to_string (width) + "x" + std::to_string (height));
-}
 
 std::vector<std::string>
 splitRow (std::string line)
@@ -90,7 +78,7 @@ readAttentionPoints (const fs::path& file, int width, int height)
     if (integer ("rank") != static_cast<int> (segments.size ()) + 1)
       fail (file, place + "the ranks are not 1, 2, ... in this order");
     if (segment.column < 0 || segment.column >= width || segment.row < 0 || segment.row >= height)
-      fail (file, place + "the point lies outside of the " + sizeText (width, height) + " image");
+      fail (file, place + "the point lies outside of the " + imageSizeText (width, height) + " image");
     if (columnOf ("kind") != header.size ())
       segment.kind = cells[columnOf ("kind")];
     segments.push_back (segment);
@@ -139,8 +127,8 @@ readLabels (const fs::path& file, int width, int height)
       raw.width == static_cast<std::uint32_t> (width) && raw.height == static_cast<std::uint32_t> (height);
   const bool one_row = raw.height == 1 && raw.width == static_cast<std::uint32_t> (width) * height;
   if (!same_size && !one_row)
-    fail (file, sizeText (static_cast<int> (raw.width), static_cast<int> (raw.height)) + " points, the scene has " +
-                    sizeText (width, height));
+    fail (file, imageSizeText (static_cast<int> (raw.width), static_cast<int> (raw.height)) + " points, the scene has " +
+                    imageSizeText (width, height));
 
   pcl::PointCloud<pcl::Label> cloud;
   pcl::fromPCLPointCloud2 (raw, cloud);

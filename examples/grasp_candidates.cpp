@@ -5,6 +5,7 @@
 #include <pcl/io/pcd_io.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <limits>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A typical program for objects on a table, without this module: thin out, remove the plane, cluster what is left.
+// A typical program for objects on a table: thin out, remove the plane, cluster what is left.
 #include <pcl/filters/extract_indices.h>
 #include <pcl/filters/voxel_grid.h>
 #include <pcl/io/pcd_io.h>

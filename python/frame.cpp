@@ -4,7 +4,7 @@
 #include <pcl/segmentation/impl/organized_cloud.hpp>
 
 #include <array>
-#include <thread>
+#include <pybind11/stl.h>
 #include <type_traits>
 
 namespace py = pybind11;
@@ -15,8 +15,14 @@ namespace pcl_attention
 namespace
 {
 
-const std::array<const char*, 9> arguments_of_a_frame{
-    "rgb", "mask", "sensor_origin", "sensor_orientation", "saliency", "fixations", "threads", "preset", "parts"};
+const std::array<const char*, 16> arguments_of_a_frame{"rgb",           "mask",
+                                                       "sensor_origin", "sensor_orientation",
+                                                       "saliency",      "fixations",
+                                                       "threads",       "preset",
+                                                       "parts",         "prior_map",
+                                                       "prior_region",  "prior_box",
+                                                       "prior_color",   "prior_color_exemplar",
+                                                       "prior_size",    "prior_distance"};
 
 std::string
 shapeText (const py::array& array)
@@ -29,6 +35,22 @@ py::object
 argumentOf (const py::kwargs& arguments, const char* name)
 {
   return (arguments.contains (name) ? py::object (arguments[name]) : py::object (py::none ()));
+}
+
+/** \brief The argument as C++ has it.
+ * \param[in] type what it must be, for the error */
+template <typename T>
+T
+valueOf (const py::object& argument, const char* name, const std::string& type)
+{
+  try
+  {
+    return (argument.cast<T> ());
+  }
+  catch (const py::cast_error&)
+  {
+    throw py::type_error (std::string (name) + " must be " + type);
+  }
 }
 
 /** \brief An argument of the image's size.
@@ -58,10 +80,7 @@ vectorOf (const py::object& argument, const char* name, const Eigen::Matrix<floa
     return (otherwise);
   const auto array = py::array_t<float, py::array::forcecast>::ensure (argument);
   if (!array)
-  {
-    PyErr_Clear ();
     throw py::type_error (std::string (name) + " must be " + std::to_string (size) + " numbers");
-  }
   if (array.ndim () != 1 || array.shape (0) != size)
     throw py::value_error (std::string (name) + " has the shape " + shapeText (array) + ", but must be " +
                            std::to_string (size) + " numbers");
@@ -93,10 +112,7 @@ fixationsOf (const py::object& argument, int width, int height)
   std::vector<AttentionPoint> fixations;
   const auto array = py::array_t<double, py::array::forcecast>::ensure (argument);
   if (!array)
-  {
-    PyErr_Clear ();
     throw py::type_error ("fixations must be pairs of column and row");
-  }
   if (array.size () == 0)
     return (fixations);
   if (array.ndim () != 2 || array.shape (1) != 2)
@@ -114,6 +130,77 @@ fixationsOf (const py::object& argument, int width, int height)
     fixations.back ().row = static_cast<int> (row);
   }
   return (fixations);
+}
+
+std::array<std::uint8_t, 3>
+colorOf (const py::object& argument, const char* name)
+{
+  std::string names;
+  for (const auto& [color_name, color] : namedColors ())
+  {
+    if (py::isinstance<py::str> (argument) && argument.cast<std::string> () == color_name)
+      return (color);
+    names += ", " + color_name;
+  }
+  return (valueOf<std::array<std::uint8_t, 3>> (argument, name,
+                                                "red, green, blue from 0 to 255, or one of" + names.substr (1)));
+}
+
+ColorHistogram
+colorsOf (const py::object& argument, const char* name)
+{
+  const auto array = py::array::ensure (argument);
+  if (!array || !py::isinstance<py::array_t<std::uint8_t>> (array))
+    throw py::type_error (std::string (name) + " must be an array of uint8");
+  if (array.ndim () != 2 || array.shape (1) != 3)
+    throw py::value_error (std::string (name) + " has the shape " + shapeText (array) +
+                           ", but must have (n, 3): the colours of an example's points");
+  ColorHistogram colors;
+  const auto pixels = py::array_t<std::uint8_t> (array);
+  const auto at = pixels.unchecked<2> ();
+  for (py::ssize_t i = 0; i < at.shape (0); ++i)
+    colors.add (colorBin (at (i, 0), at (i, 1), at (i, 2)));
+  return (colors);
+}
+
+/** \brief What the arguments prior_... ask for; still to be checked. */
+AttentionPrior
+priorOf (const py::kwargs& arguments, int width, int height)
+{
+  AttentionPrior prior;
+  const auto ask = [&] (const char* name, const auto& take) {
+    const py::object argument = argumentOf (arguments, name);
+    if (!argument.is_none ())
+      take (argument, name);
+  };
+  const auto rangeOf = [] (const py::object& argument, const char* name) -> ValueRange {
+    const auto range = valueOf<std::pair<float, float>> (argument, name, "two numbers: minimum and maximum, metres");
+    return {range.first, range.second};
+  };
+  ask ("prior_map", [&] (const py::object& argument, const char* name) {
+    const auto values = imageOf<float> (argument, name, "float32", width, height, 0);
+    const auto at = values.unchecked<2> ();
+    prior.map.assign (width, height);
+    for (int row = 0; row < height; ++row)
+      for (int column = 0; column < width; ++column)
+        prior.map (column, row) = at (row, column);
+  });
+  ask ("prior_region", [&] (const py::object& argument, const char* name) {
+    const auto region = valueOf<std::array<int, 4>> (argument, name, "whole numbers: column, row, width and height");
+    prior.region = PixelRegion{region[0], region[1], region[2], region[3]};
+  });
+  ask ("prior_box", [&] (const py::object& argument, const char* name) {
+    const auto corners =
+        valueOf<std::array<std::array<float, 3>, 2>> (argument, name, "two corners of three numbers each");
+    prior.box = Eigen::AlignedBox3f (Eigen::Vector3f (corners[0].data ()), Eigen::Vector3f (corners[1].data ()));
+  });
+  ask ("prior_color", [&] (const py::object& argument, const char* name) { prior.color = colorOf (argument, name); });
+  ask ("prior_color_exemplar",
+       [&] (const py::object& argument, const char* name) { prior.color_exemplar = colorsOf (argument, name); });
+  ask ("prior_size", [&] (const py::object& argument, const char* name) { prior.size = rangeOf (argument, name); });
+  ask ("prior_distance",
+       [&] (const py::object& argument, const char* name) { prior.distance = rangeOf (argument, name); });
+  return (prior);
 }
 
 Image<float>
@@ -135,8 +222,9 @@ saliencyOf (const py::object& argument, int width, int height)
 std::string
 textOf (const py::handle& value)
 {
-  if (py::isinstance<py::bool_> (value))
-    return (value.cast<bool> () ? "on" : "off");
+  py::detail::make_caster<bool> flag; // bool or numpy.bool_, and nothing that merely is true or false
+  if (flag.load (value, false))
+    return (flag ? "on" : "off");
   return (py::str (value).cast<std::string> ());
 }
 
@@ -187,7 +275,7 @@ Frame::Frame (const Points& points_of_frame, const py::kwargs& arguments) : poin
   if (width == 1 || height == 1)
     throw py::value_error ("xyz has the shape " + shapeText (points) + ", which is no image");
 
-  AttentionParameters parameters = parametersOf (arguments);
+  const AttentionParameters parameters = parametersOf (arguments);
   const Eigen::Isometry3f pose = sensorPoseOf (arguments);
   py::array_t<std::uint8_t, py::array::forcecast> colors;
   const py::object rgb = argumentOf (arguments, "rgb");
@@ -199,28 +287,23 @@ Frame::Frame (const Points& points_of_frame, const py::kwargs& arguments) : poin
     taken = imageOf<bool> (mask, "mask", "bool", width, height, 0);
   const py::object own_saliency = argumentOf (arguments, "saliency"),
                    own_fixations = argumentOf (arguments, "fixations");
-  std::optional<SaliencyMaps> maps;
+  std::optional<Image<float>> map;
   if (!own_saliency.is_none ())
-  {
-    maps.emplace ();
-    maps->saliency = saliencyOf (own_saliency, width, height);
-    maps->maximum = *std::max_element (maps->saliency.data.begin (), maps->saliency.data.end ());
-    maps->winning_level.assign (width, height, 0);
-    maps->winning_plane.assign (width, height, 0);
-  }
+    map = saliencyOf (own_saliency, width, height);
   std::optional<AttentionPoints> fixations;
   if (!own_fixations.is_none ())
   {
     fixations.emplace ();
     fixations->points = fixationsOf (own_fixations, width, height);
-    parameters.segmentation.prefer_supported = false; // The user's order stands.
   }
+  AttentionPrior prior = priorOf (arguments, width, height);
+  const std::string problem = validate (prior, width, height, !rgb.is_none ());
+  if (!problem.empty ())
+    throw py::value_error (problem);
   const py::object threads_argument = argumentOf (arguments, "threads");
-  int threads = threads_argument.is_none () ? 0 : threads_argument.cast<int> ();
+  const int threads = threads_argument.is_none () ? 0 : valueOf<int> (threads_argument, "threads", "a whole number");
   if (threads < 0)
     throw py::value_error ("threads is " + std::to_string (threads) + ", but must be 0 (all) or more");
-  if (threads == 0)
-    threads = static_cast<int> (std::max (1u, std::thread::hardware_concurrency ()));
 
   const auto at = points.unchecked<3> ();
   const py::gil_scoped_release released;
@@ -257,10 +340,12 @@ Frame::Frame (const Points& points_of_frame, const py::kwargs& arguments) : poin
     }
   }
   pipeline.start (std::move (flat), pose, parameters, threads);
-  if (maps)
-    pipeline.setSaliency (std::move (*maps));
+  if (map)
+    pipeline.setSaliency (std::move (*map));
   if (fixations)
-    pipeline.setAttentionPoints (std::move (*fixations));
+    pipeline.setAttentionPoints (std::move (*fixations)); // which keep their order whatever is asked for
+  else
+    pipeline.setPrior (std::move (prior));
 }
 
 } // namespace pcl_attention

@@ -18,7 +18,7 @@ class Frame
 public:
   /** \param[in] points (height, width, 3)
    * \param[in] arguments the keyword arguments rgb, mask, sensor_origin, sensor_orientation, saliency, fixations,
-   * threads, preset, parts, and every row of the parameter table
+   * prior_..., threads, preset, parts, and every row of the parameter table
    * \throws pybind11::value_error or pybind11::type_error that says what is wrong and what would be right */
   Frame (const Points& points, const pybind11::kwargs& arguments);
 

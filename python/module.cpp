@@ -3,6 +3,7 @@
 #include <pcl_attention/version.h>
 
 #include <memory>
+#include <mutex>
 #include <pybind11/stl.h>
 
 namespace py = pybind11;
@@ -80,28 +81,33 @@ struct Segmentation
 /** \brief The objects of a frame one by one. */
 struct SegmentIterator
 {
-  std::unique_ptr<Frame> frame;
+  Frame frame;
+  std::mutex executing{};
 
   std::shared_ptr<Segment>
   next ()
   {
+    // Another thread may come while this one computes without the interpreter's lock: refused as by a generator.
+    const std::unique_lock<std::mutex> lock (executing, std::try_to_lock);
+    if (!lock)
+      throw py::value_error ("iterator already executing");
     const auto segment = std::make_shared<Segment> ();
     bool found = false;
     {
       const py::gil_scoped_release released;
-      found = frame->pipeline.next (segment->data);
+      found = frame.pipeline.next (segment->data);
     }
     if (!found)
       throw py::stop_iteration ();
-    segment->points = frame->points;
+    segment->points = frame.points;
     return (segment);
   }
 };
 
-SegmentIterator
+std::unique_ptr<SegmentIterator>
 iterate (const Points& xyz, const py::kwargs& arguments)
 {
-  return {std::make_unique<Frame> (xyz, arguments)};
+  return (std::unique_ptr<SegmentIterator> (new SegmentIterator{{xyz, arguments}}));
 }
 
 Segmentation
@@ -166,7 +172,8 @@ valueOf (const ParameterDescription& row, const AttentionParameters& parameters)
     return (py::str (row.toString (parameters)));
   if (row.integer)
     return (py::int_ (static_cast<long> (value)));
-  return (py::float_ (std::stod (row.toString (parameters)))); // 0.1 instead of the 0.10000000149 of a float
+  // 0.1 instead of the 0.10000000149 of a float; read by Python, which unlike std::stod does not follow the locale.
+  return (py::float_ (py::str (row.toString (parameters))));
 }
 
 py::dict
@@ -188,6 +195,11 @@ mask: (height, width), bool: points that are not True count as holes.
 sensor_origin, sensor_orientation: the camera's pose (x, y, z; w, x, y, z) where xyz is in another frame.
 saliency: (height, width), from 0 up: used instead of 2.5D symmetry.
 fixations: pairs of column and row to look at first, in this order, instead of those of the saliency.
+prior_map, prior_region, prior_box, prior_color, prior_color_exemplar, prior_size, prior_distance: what is asked for
+  comes first, nothing is left out; those that are given multiply, and given fixations keep their order.
+  map: (height, width), 0..1 or bool. region: column, row, width, height in pixels. box: its smaller and its larger
+  corner, metres, where xyz is. color: red, green, blue in 0..255, or a name like 'red'. color_exemplar: (n, 3), uint8,
+  the colours of an example. size: smallest and largest length, metres. distance: the same, from the viewpoint.
 threads: 0 takes all processors. The result does not depend on it.
 preset: 'default' or 'paper'.
 parts: visible pieces instead of whole objects.

@@ -21,11 +21,13 @@ build_and_test_in() { # FOLDER CMAKE_ARGUMENT...
     ctest --test-dir "$folder" --parallel 2 --no-tests=error --output-on-failure
 }
 
-# As a user's project has it in a subdirectory: nothing but the library, without OpenMP, static, by the other compiler.
+# As a user's project has it in a subdirectory: nothing but the library, static, without OpenMP and VTK, by the other
+# compiler.
 build_library_alone() {
   cmake -S test/drop_in/subdirectory -B build/library -G Ninja -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ \
     -D BUILD_SHARED_LIBS=OFF -D PCL_ATTENTION_OPENMP=OFF && cmake --build build/library --parallel 2 &&
-    build/library/from_depth_image | grep '^2: '
+    build/library/from_depth_image | grep '^2: ' &&
+    cmake -P test/drop_in/expect_no_vtk.cmake build/library/from_depth_image
 }
 
 # Called in a condition, where set -e does not reach: hence the &&.

@@ -21,6 +21,8 @@ rm -rf build/packages/deb
 say "Packing"
 (cd build/packages && cpack -B deb)
 packages=(build/packages/deb/*.deb)
+library=$(basename build/packages/deb/libpcl-attention[0-9]*.deb) # its name has the version
+library=${library%%_*}
 
 root=$(mktemp -d build/packages/root.XXXXXX)
 remove_root() {
@@ -74,7 +76,7 @@ cp -r examples "$root/examples"
 cp -r test/drop_in "$root/drop_in"
 
 say "Library and Python module"
-install_in_root libpcl-attention0.1 python3-pcl-attention
+install_in_root "$library" python3-pcl-attention
 expect "they come without VTK" bash -c "! chroot '$root' dpkg -l | grep -i vtk"
 expect "Python finds objects" in_root python3 -c "import sys; sys.path.insert (0, '/examples/python')
 import pcl_attention, table_scene; assert len (pcl_attention.segment (*table_scene.render ()[:2])) >= 3"
@@ -101,6 +103,6 @@ expect "a consumer of C++ alone is told what is missing" in_root bash -c "! cmak
   grep 'This project enables C++ alone' /cxx.log"
 
 say "Removal"
-expect "the packages are removed" in_root apt-get purge --yes libpcl-attention0.1 libpcl-attention-dev pcl-attention-tools \
+expect "the packages are removed" in_root apt-get purge --yes "$library" libpcl-attention-dev pcl-attention-tools \
   python3-pcl-attention
 expect "nothing of them is left" bash -c "! find '$root/usr' '$root/etc' '$root/var/lib' -iname '*pcl?attention*' | grep ."

@@ -45,8 +45,7 @@ scoreSegments (const ViewerScene& scene, std::vector<AttentionSegment> segments)
 } // namespace
 
 AttentionWorker::AttentionWorker (unsigned int threads)
-    : threads_ (static_cast<int> (threads > 0 ? threads : std::max (1u, std::thread::hardware_concurrency ()))),
-      thread_ ([this] { run (); })
+    : threads_ (static_cast<int> (threads)), thread_ ([this] { run (); })
 {
 }
 

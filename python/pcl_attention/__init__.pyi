@@ -76,6 +76,8 @@ class Segmentation(Sequence[Segment]):
 
 _Numbers = Union[Sequence[float], NDArray[Any]]
 _Fixations = Union[Sequence[Tuple[float, float]], NDArray[Any]]
+_Range = Tuple[float, float]
+_Parameter = Union[bool, float, str, np.generic]
 
 def segment(
     xyz: ArrayLike,
@@ -86,10 +88,17 @@ def segment(
     sensor_orientation: Optional[_Numbers] = None,
     saliency: Optional[ArrayLike] = None,
     fixations: Optional[_Fixations] = None,
+    prior_map: Optional[ArrayLike] = None,
+    prior_region: Optional[Tuple[int, int, int, int]] = None,
+    prior_box: Optional[Union[Sequence[_Numbers], NDArray[Any]]] = None,
+    prior_color: Optional[Union[str, Tuple[int, int, int], NDArray[np.uint8]]] = None,
+    prior_color_exemplar: Optional[NDArray[np.uint8]] = None,
+    prior_size: Optional[_Range] = None,
+    prior_distance: Optional[_Range] = None,
     threads: int = 0,
     preset: str = "default",
     parts: bool = False,
-    **parameters: Union[bool, float, str],
+    **parameters: _Parameter,
 ) -> Segmentation: ...
 def iterate(
     xyz: ArrayLike,
@@ -100,10 +109,17 @@ def iterate(
     sensor_orientation: Optional[_Numbers] = None,
     saliency: Optional[ArrayLike] = None,
     fixations: Optional[_Fixations] = None,
+    prior_map: Optional[ArrayLike] = None,
+    prior_region: Optional[Tuple[int, int, int, int]] = None,
+    prior_box: Optional[Union[Sequence[_Numbers], NDArray[Any]]] = None,
+    prior_color: Optional[Union[str, Tuple[int, int, int], NDArray[np.uint8]]] = None,
+    prior_color_exemplar: Optional[NDArray[np.uint8]] = None,
+    prior_size: Optional[_Range] = None,
+    prior_distance: Optional[_Range] = None,
     threads: int = 0,
     preset: str = "default",
     parts: bool = False,
-    **parameters: Union[bool, float, str],
+    **parameters: _Parameter,
 ) -> Iterator[Segment]: ...
 def saliency(
     xyz: ArrayLike,
@@ -114,7 +130,7 @@ def saliency(
     sensor_orientation: Optional[_Numbers] = None,
     threads: int = 0,
     preset: str = "default",
-    **parameters: Union[bool, float, str],
+    **parameters: _Parameter,
 ) -> NDArray[np.float32]: ...
 def attention_points(
     xyz: ArrayLike,
@@ -124,9 +140,16 @@ def attention_points(
     sensor_origin: Optional[_Numbers] = None,
     sensor_orientation: Optional[_Numbers] = None,
     saliency: Optional[ArrayLike] = None,
+    prior_map: Optional[ArrayLike] = None,
+    prior_region: Optional[Tuple[int, int, int, int]] = None,
+    prior_box: Optional[Union[Sequence[_Numbers], NDArray[Any]]] = None,
+    prior_color: Optional[Union[str, Tuple[int, int, int], NDArray[np.uint8]]] = None,
+    prior_color_exemplar: Optional[NDArray[np.uint8]] = None,
+    prior_size: Optional[_Range] = None,
+    prior_distance: Optional[_Range] = None,
     threads: int = 0,
     preset: str = "default",
-    **parameters: Union[bool, float, str],
+    **parameters: _Parameter,
 ) -> List[AttentionPoint]: ...
 def patches(
     xyz: ArrayLike,
@@ -137,8 +160,8 @@ def patches(
     sensor_orientation: Optional[_Numbers] = None,
     threads: int = 0,
     preset: str = "default",
-    **parameters: Union[bool, float, str],
+    **parameters: _Parameter,
 ) -> NDArray[np.int32]: ...
 def parameters(
-    *, preset: str = "default", parts: bool = False, **parameters: Union[bool, float, str]
+    *, preset: str = "default", parts: bool = False, **parameters: _Parameter
 ) -> Dict[str, Union[bool, int, float, str]]: ...

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <thread>
 
 namespace pcl_attention
 {
@@ -134,17 +135,12 @@ AttentionPipeline::start (OrganizedCloud&& cloud, const Eigen::Isometry3f& senso
                           const AttentionParameters& parameters, int threads)
 {
   parameters_ = parameters;
-  threads_ = std::max (1, threads);
+  threads_ = threads > 0 ? threads : static_cast<int> (std::max (1u, std::thread::hardware_concurrency ()));
   sensor_pose_ = sensor_pose;
-  clustering_.reset ();
+  forgetPatches ();
   cloud_ = std::move (cloud);
   normals_.reset ();
   saliency_.reset ();
-  patches_.reset ();
-  patch_graph_.reset ();
-  supporting_planes_.reset ();
-  support_patches_.clear ();
-  over_support_.clear ();
   setPrior (AttentionPrior ());
   times_ = StageTimes ();
 }
@@ -154,9 +150,29 @@ AttentionPipeline::setPrior (AttentionPrior&& prior)
 {
   prior_ = std::move (prior);
   prior_weights_ = Image<float> ();
+  forgetAttentionPoints ();
+  restart ();
+}
+
+void
+AttentionPipeline::forgetAttentionPoints ()
+{
   attention_points_.reset ();
   points_are_users_ = false;
-  restart ();
+  times_.attention_points = 0.0;
+}
+
+void
+AttentionPipeline::forgetPatches ()
+{
+  clustering_.reset ();
+  patches_.reset ();
+  patch_graph_.reset ();
+  supporting_planes_.reset ();
+  support_patches_.clear ();
+  over_support_.clear ();
+  prior_weights_ = Image<float> ();
+  times_.patches = 0.0;
 }
 
 void
@@ -169,6 +185,7 @@ AttentionPipeline::restart ()
   claimed_.assign (cloud_.size (), 0);
   segments_found_ = 0;
   times_.segmentation = 0.0;
+  times_.overlap = 0.0;
 }
 
 void
@@ -186,7 +203,7 @@ AttentionPipeline::changeParameters (const AttentionParameters& parameters)
   // The patches are cut in place, so that whether they are cut is as good as a setting of theirs.
   const bool patches_changed = normals_changed || changed ("patches") || changed ("patch_graph") || changed ("support") ||
                                parameters.clustering.stay_off_support != parameters_.clustering.stay_off_support;
-  if (patches_changed || changed ("clustering"))
+  if (changed ("clustering"))
     clustering_.reset ();
   parameters_ = parameters;
   if (normals_changed)
@@ -199,24 +216,10 @@ AttentionPipeline::changeParameters (const AttentionParameters& parameters)
     saliency_.reset ();
     times_.saliency = 0.0;
   }
-  if (patches_changed)
-    prior_weights_ = Image<float> ();
   if (points_changed || (patches_changed && !prior_.empty ()))
-  {
-    attention_points_.reset ();
-    points_are_users_ = false;
-    times_.attention_points = 0.0;
-  }
+    forgetAttentionPoints ();
   if (patches_changed)
-  {
-    patches_.reset ();
-    patch_graph_.reset ();
-    supporting_planes_.reset ();
-    support_patches_.clear ();
-    over_support_.clear ();
-    times_.patches = 0.0;
-  }
-  times_.overlap = 0.0;
+    forgetPatches ();
   restart ();
 }
 
@@ -227,9 +230,14 @@ AttentionPipeline::setNormals (NormalImage&& normals)
 }
 
 void
-AttentionPipeline::setSaliency (SaliencyMaps&& saliency)
+AttentionPipeline::setSaliency (Image<float>&& saliency)
 {
-  saliency_ = std::move (saliency);
+  saliency_.emplace ();
+  saliency_->maximum = saliency.data.empty () ? 0.0f : *std::max_element (saliency.data.begin (), saliency.data.end ());
+  // Nothing is known about where the user's map comes from.
+  saliency_->winning_level.assign (saliency.width, saliency.height, 0);
+  saliency_->winning_plane.assign (saliency.width, saliency.height, 0);
+  saliency_->saliency = std::move (saliency);
 }
 
 void
@@ -244,6 +252,8 @@ AttentionPipeline::setAttentionPoints (AttentionPoints&& points)
 {
   attention_points_ = std::move (points);
   points_are_users_ = true;
+  for (AttentionPoint& point : attention_points_->points)
+    point.weight = 1.0f; // their order is the user's, whatever they matched before
 }
 
 const NormalImage&
@@ -452,8 +462,8 @@ AttentionPipeline::isInhibited (const AttentionPoint& point) const
 bool
 AttentionPipeline::isPreferred (const AttentionPoint& point) const
 {
-  return (point.kind == AttentionPointKind::coverage || !parameters_.segmentation.prefer_supported ||
-          over_support_.empty () || over_support_[indexOf (point)]);
+  return (points_are_users_ || point.kind == AttentionPointKind::coverage ||
+          !parameters_.segmentation.prefer_supported || over_support_.empty () || over_support_[indexOf (point)]);
 }
 
 AttentionPipeline::Priority

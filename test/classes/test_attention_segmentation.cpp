@@ -480,6 +480,12 @@ TEST_F (Segmentation, KeepsTheOrderOfGivenPointsWhateverIsAskedFor)
   prior.region = pcl_attention::PixelRegion{160, 0, 160, 240};
   segmentation.setAttentionPrior (prior);
   expectSame (segment (), plain);
+  // One that does not fit is refused only when it is of use.
+  prior.region = pcl_attention::PixelRegion{999, 0, 1, 1};
+  segmentation.setAttentionPrior (prior);
+  expectSame (segment (), plain);
+  segmentation.clearAttentionPoints ();
+  expectError ("Bad prior: the region of the prior");
 }
 
 TEST_F (Segmentation, GivesClustersAndLabelsAsOtherSegmentersDo)

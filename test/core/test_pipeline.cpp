@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <pcl/segmentation/impl/organized_cloud.hpp>
 
+#include <algorithm>
+
 using namespace pcl_attention;
 
 namespace
@@ -112,6 +114,80 @@ TEST (Pipeline, keepsTheStagesThatDoNotDependOnAChange)
   parameters.normals.radius = 3;
   pipeline.changeParameters (parameters);
   EXPECT_EQ (pipeline.times ().total (), 0.0);
+}
+
+TEST (Pipeline, keepsAllButTheAttentionPointsWhenAskedForSomething)
+{
+  AttentionPipeline pipeline;
+  pipeline.start (renderedCloud (), Eigen::Isometry3f::Identity (), AttentionParameters (), 2);
+  allSegments (pipeline);
+  const StageTimes first = pipeline.times ();
+  EXPECT_GT (first.attention_points, 0.0);
+
+  AttentionPrior prior;
+  prior.distance = ValueRange{0.0f, 1.0f};
+  pipeline.setPrior (std::move (prior));
+  EXPECT_EQ (pipeline.times ().attention_points, 0.0);
+  EXPECT_EQ (pipeline.times ().segmentation, 0.0);
+  EXPECT_EQ (pipeline.times ().total (), first.normals + first.saliency + first.patches);
+  allSegments (pipeline);
+  EXPECT_GT (pipeline.times ().attention_points, 0.0);
+}
+
+TEST (Pipeline, visitsPointsInTheUsersOrder)
+{
+  AttentionParameters parameters;
+  parameters.segmentation.coverage = false;
+  parameters.segmentation.fixation_margin = 0;
+  parameters.clustering.stay_off_support = false; // so that the table gives a segment
+  AttentionPipeline pipeline;
+  pipeline.start (renderedCloud (), Eigen::Isometry3f::Identity (), parameters, 0);
+  ASSERT_TRUE (parameters.segmentation.prefer_supported);
+  const std::vector<AttentionSegment> plain = allSegments (pipeline);
+  ASSERT_GT (plain.size (), 2u);
+
+  // The last one first, before all one of the table.
+  const SupportingPlane table = pipeline.supportingPlanes ().front ();
+  ASSERT_TRUE (table.supports_objects);
+  AttentionPoints points;
+  for (const AttentionSegment& segment : plain)
+    points.points.insert (points.points.begin (), segment.attention_point);
+  AttentionPoint on_table;
+  on_table.column = table.indices.front () % pipeline.cloud ().width;
+  on_table.row = table.indices.front () / pipeline.cloud ().width;
+  points.points.insert (points.points.begin (), on_table);
+  for (std::size_t k = 0; k < points.points.size (); ++k)
+    points.points[k].weight = k % 2 == 0 ? 0.1f : 1.0f; // of an earlier prior
+  const std::vector<AttentionPoint> order = points.points;
+  pipeline.changeParameters (parameters);
+  pipeline.setAttentionPoints (std::move (points));
+  std::size_t place = 0;
+  const std::vector<AttentionSegment> segments = allSegments (pipeline);
+  ASSERT_GT (segments.size (), 2u);
+  EXPECT_EQ (segments.front ().attention_point.column, on_table.column);
+  EXPECT_EQ (segments.front ().attention_point.row, on_table.row);
+  for (const AttentionSegment& segment : segments)
+  {
+    const auto isAt = [&] (const AttentionPoint& point) {
+      return (point.column == segment.attention_point.column && point.row == segment.attention_point.row);
+    };
+    const auto found = std::find_if (order.begin () + static_cast<std::ptrdiff_t> (place), order.end (), isAt);
+    ASSERT_NE (found, order.end ()) << "rank " << segment.rank;
+    place = static_cast<std::size_t> (found - order.begin ()) + 1;
+  }
+}
+
+TEST (Pipeline, takesTheMaximumOfAGivenSaliency)
+{
+  AttentionPipeline pipeline;
+  pipeline.start (renderedCloud (), Eigen::Isometry3f::Identity (), AttentionParameters (), 1);
+  Image<float> map (160, 120, 0.5f);
+  map (20, 10) = 3.0f;
+  pipeline.setSaliency (std::move (map));
+  EXPECT_EQ (pipeline.saliency ().maximum, 3.0f);
+  EXPECT_EQ (pipeline.saliency ().saliency (20, 10), 3.0f);
+  EXPECT_EQ (pipeline.saliency ().winning_level.size (), std::size_t{160} * 120);
+  EXPECT_EQ (pipeline.saliency ().winning_plane.size (), std::size_t{160} * 120);
 }
 
 } // namespace

@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import threading
@@ -131,6 +132,32 @@ def test_iterates_in_order_of_attention(scene, objects):
     assert np.array_equal(first.indices, objects[0].indices)
 
 
+def test_refuses_a_second_thread_on_the_same_iterator(scene, objects):
+    """While one thread computes an object, another one that asks for the next is told so; the objects stay the same."""
+    iterator = pcl_attention.iterate(*scene, threads=1)
+    found, refused = [], []
+    together = threading.Barrier(2)
+
+    def take():
+        together.wait()
+        while True:
+            try:
+                found.append(next(iterator))
+            except StopIteration:
+                return
+            except ValueError as error:
+                refused.append(str(error))
+                time.sleep(0.001)
+
+    threads = [threading.Thread(target=take) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert same(sorted(found, key=lambda segment: segment.rank), objects)
+    assert refused and set(refused) == {"iterator already executing"}
+
+
 def test_keeps_to_the_mask(scene):
     mask = np.zeros(scene[0].shape[:2], dtype=bool)
     mask[60:180, 40:160] = True
@@ -147,6 +174,42 @@ def test_looks_where_it_is_told(scene):
     assert segments[0].attention_point.kind == "user"
     assert segments[0].mask[row, column]
     assert (scene[1][segments[0].mask][:, 2] == 200).mean() > 0.95
+
+
+def test_puts_first_what_is_asked_for(scene, objects):
+    xyz, rgb = scene
+    for target in objects[:3]:
+        mask, points = target.mask, target.points
+        rows, columns = np.nonzero(mask)
+        distances = np.linalg.norm(points, axis=1)
+        priors = {
+            "prior_map": mask,
+            "prior_region": (columns.min(), rows.min(), np.ptp(columns) + 1, np.ptp(rows) + 1),
+            "prior_box": (points.min(axis=0), points.max(axis=0)),
+            "prior_color": np.median(rgb[mask], axis=0).astype(np.uint8),
+            "prior_color_exemplar": rgb[mask],
+            "prior_distance": (distances.min(), distances.max()),
+        }
+        for name, prior in priors.items():
+            found = pcl_attention.segment(xyz, rgb, **{name: prior})
+            assert len(found) >= len(objects)
+            if name != "prior_distance":  # another object may be as far away
+                assert np.isin(found[0].indices, target.indices).mean() > 0.9, name
+        assert pcl_attention.attention_points(xyz, rgb, prior_map=mask)[0].saliency > 0.0
+    blue = next(pcl_attention.iterate(xyz, rgb, prior_color="blue"))
+    assert (rgb[blue.mask][:, 2] == 200).mean() > 0.95
+    longest = [max(segment.box_size) for segment in objects[:3]]
+    large = pcl_attention.segment(xyz, rgb, prior_size=(max(longest) - 0.01, max(longest) + 0.01))
+    small = pcl_attention.segment(xyz, rgb, prior_size=(0.0, min(longest)))
+    assert max(large[0].box_size) > max(small[0].box_size)
+    everywhere = np.ones(xyz.shape[:2])
+    assert same(pcl_attention.segment(xyz, rgb, prior_map=everywhere), objects)
+
+
+def test_keeps_the_order_of_fixations_whatever_is_asked_for(scene, objects):
+    fixations = [(segment.attention_point.column, segment.attention_point.row) for segment in reversed(list(objects))]
+    assert same(pcl_attention.segment(*scene, fixations=fixations, prior_map=objects[0].mask),
+                pcl_attention.segment(*scene, fixations=fixations))
 
 
 def test_gives_saliency_and_points(scene, objects):
@@ -185,8 +248,21 @@ def test_takes_every_parameter(scene):
     paper = pcl_attention.parameters(preset="paper")
     assert paper != table
     assert pcl_attention.parameters(parts=True)["join_hollows"] is False
+    assert pcl_attention.parameters(coverage=np.False_)["coverage"] is False
+    assert pcl_attention.parameters(levels=np.int64(3), full_size=np.float32(0.1))["full_size"] == 0.1
     assert same(pcl_attention.segment(*scene, **paper), pcl_attention.segment(*scene, preset="paper"))
     assert len(pcl_attention.segment(*scene, minimum_segment_size=10**6)) == 0
+
+
+def test_gives_the_same_parameters_in_any_locale(tmp_path):
+    if shutil.which("localedef") is None or subprocess.run(
+            ["localedef", "-i", "de_DE", "-f", "UTF-8", tmp_path / "de_DE.UTF-8"], capture_output=True).returncode != 0:
+        pytest.skip("a locale with a decimal comma cannot be made: no localedef, or no sources of locales")
+    script = ("import locale, json, pcl_attention; locale.setlocale(locale.LC_ALL, 'de_DE.UTF-8'); "
+              "assert locale.localeconv()['decimal_point'] == ','; print(json.dumps(pcl_attention.parameters()))")
+    run = subprocess.run([sys.executable, "-c", script], env={**os.environ, "LOCPATH": str(tmp_path)}, check=True,
+                         capture_output=True, text=True)
+    assert json.loads(run.stdout) == pcl_attention.parameters()
 
 
 @pytest.mark.parametrize("error, message, arguments", [
@@ -205,6 +281,21 @@ def test_takes_every_parameter(scene):
     (ValueError, "levels is '99', but must be a whole number from 1 to 8", {"levels": 99}),
     (ValueError, "preset is 'best', but must be 'default' or 'paper'", {"preset": "best"}),
     (ValueError, "threads is -1, but must be 0 (all) or more", {"threads": -1}),
+    (TypeError, "threads must be a whole number", {"threads": "all"}),
+    (ValueError, "prior_map has the shape (2, 2), but must have (240, 320), as xyz", {"prior_map": np.zeros((2, 2))}),
+    (ValueError, "the map of the prior holds 2.0", {"prior_map": np.full((240, 320), 2.0)}),
+    (TypeError, "prior_region must be whole numbers: column, row, width and height", {"prior_region": (1, 2, 3)}),
+    (ValueError, "the region of the prior has 5 x 5 pixels from column 320", {"prior_region": (320, 0, 5, 5)}),
+    (TypeError, "prior_box must be two corners of three numbers each", {"prior_box": (0, 0, 0, 1, 1, 1)}),
+    (ValueError, "the box of the prior is empty or not finite", {"prior_box": ((0, 0, 1), (1, 1, 0))}),
+    (TypeError, "prior_color must be red, green, blue from 0 to 255, or one of black, grey", {"prior_color": "reddish"}),
+    (TypeError, "prior_color must be red, green, blue from 0 to 255", {"prior_color": (0, 0, 256)}),
+    (ValueError, "the prior asks for a colour, but the cloud has none", {"prior_color": "red"}),
+    (TypeError, "prior_color_exemplar must be an array of uint8", {"prior_color_exemplar": np.zeros((5, 3))}),
+    (ValueError, "prior_color_exemplar has the shape (5,), but must have (n, 3)",
+     {"prior_color_exemplar": np.zeros(5, np.uint8)}),
+    (TypeError, "prior_size must be two numbers: minimum and maximum, metres", {"prior_size": 0.2}),
+    (ValueError, "the distance of the prior is from 2.0", {"prior_distance": (2.0, 1.0)}),
     (TypeError, "there is no argument 'level'; pcl_attention.parameters () lists", {"level": 3}),
 ])
 def test_says_what_is_wrong(scene, error, message, arguments):

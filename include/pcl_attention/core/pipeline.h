@@ -67,7 +67,8 @@ public:
 
   /** \brief Forget all results and start with a new frame.
     * \param[in] cloud in the sensor frame
-    * \param[in] sensor_pose from the sensor frame to the frame of the user's cloud, in which planes and boxes are given */
+    * \param[in] sensor_pose from the sensor frame to the frame of the user's cloud, in which planes and boxes are given
+    * \param[in] threads 0: all processors; the result does not depend on it */
   void
   start (OrganizedCloud&& cloud, const Eigen::Isometry3f& sensor_pose, const AttentionParameters& parameters, int threads);
 
@@ -76,12 +77,12 @@ public:
   void
   changeParameters (const AttentionParameters& parameters);
 
-  /** \brief The user's own normals, saliency, patches or attention points instead of the computed ones. Before the first
-    * result that depends on them is asked for. */
+  /** \brief The user's own normals, saliency (of the cloud's size, from 0 up), patches or attention points (whose order stands)
+    * instead of the computed ones. Before the first result that depends on them is asked for. */
   void
   setNormals (NormalImage&& normals);
   void
-  setSaliency (SaliencyMaps&& saliency);
+  setSaliency (Image<float>&& saliency);
   void
   setPatches (PlanarPatches&& patches);
   void
@@ -131,6 +132,11 @@ private:
   /** \brief Begin again with the first object. */
   void
   restart ();
+  void
+  forgetAttentionPoints ();
+  /** \brief With all that is made of the patches but the attention points. */
+  void
+  forgetPatches ();
 
   /** \brief Patches, their graph and the planes of the background. */
   void
@@ -148,7 +154,7 @@ private:
   coveragePoints () const;
   std::size_t
   indexOf (const AttentionPoint& point) const { return (static_cast<std::size_t> (point.row) * cloud_.width + point.column); }
-  /** \brief Whether a point stands on the supporting plane, where that counts; coverage points do. */
+  /** \brief Whether a point stands on the supporting plane, where that counts; coverage points do, the user's order stands. */
   bool
   isPreferred (const AttentionPoint& point) const;
   /** \brief Whether an earlier segment has claimed a point that is therefore skipped. */

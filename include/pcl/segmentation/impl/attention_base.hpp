@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <thread>
 
 namespace pcl
 {
@@ -125,13 +124,15 @@ AttentionBase<PointT>::checkInput () const
   if (attention_points_)
     for (auto point = attention_points_->begin (); problem.empty () && point != attention_points_->end (); ++point)
       problem = pcl_attention::checkPoint (*point, *input_);
-  return (problem.empty () ? checkPrior () : problem);
+  return (problem);
 }
 
 template <typename PointT>
 std::string
 AttentionBase<PointT>::checkPrior () const
 {
+  if (attention_points_)
+    return (""); // whose order stands
   const std::string problem =
       pcl_attention::validate (prior_, static_cast<int> (input_->width), static_cast<int> (input_->height),
                                pcl_attention::HasRgb<PointT>::value);
@@ -155,32 +156,18 @@ AttentionBase<PointT>::start ()
     flat_patches.emplace ();
     flat_patches->labels = pcl_attention::gather (*patches_, flat);
   }
-  pcl_attention::AttentionParameters frame_parameters = parameters_;
-  if (attention_points_)
-    frame_parameters.segmentation.prefer_supported = false; // The user's order stands.
 
-  const unsigned int threads = threads_ > 0 ? threads_ : std::max (1u, std::thread::hardware_concurrency ());
-  pipeline_.start (std::move (flat), pose, frame_parameters, static_cast<int> (threads));
+  pipeline_.start (std::move (flat), pose, parameters_, static_cast<int> (threads_));
   if (flat_normals)
     pipeline_.setNormals (std::move (*flat_normals));
   if (flat_patches)
     pipeline_.setPatches (std::move (*flat_patches));
   if (saliency_)
-  {
-    pcl_attention::SaliencyMaps maps;
-    maps.saliency = pcl_attention::gather (*saliency_);
-    maps.maximum = *std::max_element (maps.saliency.data.begin (), maps.saliency.data.end ());
-    // Nothing is known about where the user's map comes from.
-    maps.winning_level.assign (maps.saliency.width, maps.saliency.height, 0);
-    maps.winning_plane.assign (maps.saliency.width, maps.saliency.height, 0);
-    pipeline_.setSaliency (std::move (maps));
-  }
+    pipeline_.setSaliency (pcl_attention::gather (*saliency_));
   if (attention_points_)
   {
     pcl_attention::AttentionPoints points;
     points.points = *attention_points_;
-    for (AttentionPoint& point : points.points)
-      point.weight = 1.0f; // their order is the user's, whatever they matched before
     pipeline_.setAttentionPoints (std::move (points));
   }
 }
@@ -192,19 +179,17 @@ AttentionBase<PointT>::run (const char* method, const Work& work)
 {
   try
   {
+    std::string problem = started_ ? "" : checkInput ();
+    prior_is_new_ = prior_is_new_ || !started_;
+    if (problem.empty () && prior_is_new_)
+      problem = checkPrior ();
+    if (!accept (method, problem))
+      return (false);
     if (!started_)
-    {
-      if (!accept (method, checkInput ()))
-        return (false);
       start ();
-      started_ = prior_is_new_ = true;
-    }
+    started_ = true;
     if (prior_is_new_ && !attention_points_)
-    {
-      if (!accept (method, checkPrior ()))
-        return (false);
       pipeline_.setPrior (pcl_attention::AttentionPrior (prior_));
-    }
     prior_is_new_ = false;
     return (work ());
   }
