@@ -107,7 +107,8 @@ measureStages (const std::vector<Frame>& frames)
   });
   measure ("supporting_planes", frames, [] (const Frame& frame) {
     benchmark::DoNotOptimize (
-        findSupportingPlanes (frame.cloud, frame.normals, frame.patches, frame.graph, parameters.support));
+        findSupportingPlanes (frame.cloud, frame.normals, frame.patches,
+                              [&] () -> const PatchGraph& { return (frame.graph); }, parameters.support));
   });
   measure ("first_object/one_thread", frames, [] (const Frame& frame) { segmentFirstObject (frame, 1); });
   measure ("first_object/two_threads", frames, [] (const Frame& frame) { segmentFirstObject (frame, 2); });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_attention/core/attention_points.h>
+#include <pcl_attention/core/winner_take_all.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,11 +72,36 @@ meanSaliency (const Image<float>& saliency, const Image<int>& labels, int count)
   return (means);
 }
 
-void
-extractAttentionPoints (const Image<float>& saliency, const std::vector<std::uint8_t>& valid,
-                        const AttentionPointParameters& parameters, AttentionPoints& result)
+namespace
 {
-  result = AttentionPoints ();
+
+/** \brief WTA3D and WTA2D of paper V-A. */
+void
+extractWinners (const Image<float>& saliency, const std::vector<std::uint8_t>& valid, const AttentionPointParameters& parameters,
+                AttentionPoints& result)
+{
+  result.components.assign (saliency.width, saliency.height, 0);
+  result.skeleton.assign (saliency.width, saliency.height, 0);
+  const int reach = parameters.winner_cell_size;
+  for (const Winner& winner : findWinners (saliency, parameters.winner_cell_size, parameters.inhibition_width))
+  {
+    std::vector<Pixel> around;
+    for (int row = winner.pixel.row - reach; row <= winner.pixel.row + reach; ++row)
+      for (int column = winner.pixel.column - reach; column <= winner.pixel.column + reach; ++column)
+        if (saliency.contains (column, row))
+          around.push_back ({column, row});
+    const Pixel* moved = nearestValid (winner.pixel, around, valid, saliency.width);
+    if (moved)
+      result.points.push_back ({moved->column, moved->row, winner.saliency, saliency (moved->column, moved->row),
+                                AttentionPointKind::winner, 0});
+  }
+}
+
+/** \brief TJ3D, paper III-C. */
+void
+extractFromSymmetryLines (const Image<float>& saliency, const std::vector<std::uint8_t>& valid,
+                          const AttentionPointParameters& parameters, AttentionPoints& result)
+{
   const int width = saliency.width, height = saliency.height;
   Image<float> map = saliency;
   float maximum = 0.0f;
@@ -135,6 +161,19 @@ extractAttentionPoints (const Image<float>& saliency, const std::vector<std::uin
                                       return (a.row == b.row && a.column == b.column);
                                     }),
                        result.points.end ());
+}
+
+} // namespace
+
+void
+extractAttentionPoints (const Image<float>& saliency, const std::vector<std::uint8_t>& valid,
+                        const AttentionPointParameters& parameters, AttentionPoints& result)
+{
+  result = AttentionPoints ();
+  if (parameters.strategy == AttentionStrategy::symmetry_lines)
+    extractFromSymmetryLines (saliency, valid, parameters, result);
+  else
+    extractWinners (saliency, valid, parameters, result);
 }
 
 } // namespace pcl_attention

@@ -80,12 +80,15 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   pieces_.resize (count);
   patch_hollowness_.resize (count);
   histograms_.resize (count);
-  color_bins_ = colorBins (cloud);
+  if (parameters.color_constraint != ColorConstraint::off)
+    color_bins_ = colorBins (cloud);
   for (std::size_t index = 0; index < color_bins_.size (); ++index)
     if (cloud.valid[index])
       scene_histogram_.add (color_bins_[index]);
   for (std::size_t label = 1; label < count; ++label)
   {
+    if (parameters.stay_off_support && isSupport (static_cast<int> (label)))
+      continue;
     const pcl::Indices& pixels = patches.patches[label - 1].pixels;
     const std::size_t samples = std::min (pixels.size (), static_cast<std::size_t> (parameters.compactness_samples));
     for (std::size_t sample = 0; sample < samples; ++sample)
@@ -95,9 +98,9 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
                                   {normals.x[index], normals.y[index], normals.z[index]},
                                   static_cast<float> (pixels.size ()) / static_cast<float> (samples)});
     }
-    if (!color_bins_.empty ())
+    if (cloud.hasColor ())
       for (const pcl::index_t index : pixels)
-        histograms_[label].add (color_bins_[index]);
+        histograms_[label].add (colorBin (cloud.red[index], cloud.green[index], cloud.blue[index]));
   }
 }
 
@@ -345,7 +348,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
     }
     if (pixels < color_size)
       limit = std::min (limit, -0.6f);
-    else if (!color_bins_.empty ())
+    else if (cloud_.hasColor ())
       limit += parameters_.color_convexity *
                std::clamp ((chiSquare (piece.histogram, histograms_[label]) - 0.5f) / 0.5f, -1.0f, 1.0f);
     const float convexity = borderConvexity (label, border, piece);

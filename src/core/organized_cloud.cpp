@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_attention/core/organized_cloud.h>
 
+#include <algorithm>
+
 namespace pcl_attention
 {
 
@@ -11,8 +13,8 @@ estimateFocalLength (const OrganizedCloud& cloud)
   double count = 0.0;
   double sum_slope_x = 0.0, sum_column = 0.0, sum_slope_y = 0.0, sum_row = 0.0;
   double square = 0.0, product = 0.0;
-  // A quarter of the rows fixes three numbers as well as all of them.
-  constexpr int row_step = 4;
+  // Some of the rows fix three numbers as well as all of them.
+  const int row_step = std::max (1, cloud.height / 30);
   for (int row = 0; row < cloud.height; row += row_step)
     for (int column = 0; column < cloud.width; ++column)
     {

@@ -106,8 +106,8 @@ makeTable ()
              "absolute symmetry under which a value is noise, whatever the maximum");
 
   rowsOf (table, "attention_points", &P::attention_points)
-    .choice ("strategy", &AttentionPointParameters::strategy, {"symmetry_lines"}, "III-C, V-A",
-             "how attention points are chosen")
+    .choice ("strategy", &AttentionPointParameters::strategy, {"symmetry_lines", "winner_take_all", "image_winner_take_all"}, "III-C, V-A",
+             "how attention points are chosen: TJ3D, WTA3D or WTA2D")
     .number ("pixel_threshold", &AttentionPointParameters::pixel_threshold, 0, 1, "share", "III-C",
              "of the map's maximum, that a pixel must exceed; 0: S > 0 as printed")
     .number ("component_threshold", &AttentionPointParameters::component_threshold, 0, 1, "share", "III-C, theta_sal",
@@ -117,7 +117,19 @@ makeTable ()
     .number ("junction_merge_radius", &AttentionPointParameters::junction_merge_radius, 0, 100, "pixels", "",
              "junctions nearer than this are one")
     .number ("minimum_skeleton_length", &AttentionPointParameters::minimum_skeleton_length, 1, 10000, "pixels", "",
-             "shorter skeletons give no point");
+             "shorter skeletons give no point")
+    .number ("winner_cell_size", &AttentionPointParameters::winner_cell_size, 1, 64, "pixels", "V-A, WTA",
+             "of the map's square that a neuron of the winner-take-all network sees")
+    .number ("inhibition_width", &AttentionPointParameters::inhibition_width, 0.1, 10, "cells", "V-A, WTA",
+             "standard deviation of the inhibition of return around a winner");
+
+  rowsOf (table, "image_symmetry", &P::image_symmetry)
+    .number ("image_levels", &ImageSymmetryParameters::levels, 1, 6, "", "V-A, WTA2D", "scales: 1/2, 1/4, ... of the image's size")
+    .number ("image_inner_radius", &ImageSymmetryParameters::inner_radius, 1, 100, "pixels", "V-A, WTA2D",
+             "pixels opposite each other are at least so far from their centre")
+    .number ("image_outer_radius", &ImageSymmetryParameters::outer_radius, 1, 100, "pixels", "V-A, WTA2D", "... and at most")
+    .number ("image_pair_distance", &ImageSymmetryParameters::pair_distance, 0.1, 1000, "pixels", "V-A, WTA2D",
+             "standard deviation of a pair's weight over its distance");
 
   rowsOf (table, "patches", &P::patches)
     .choice ("patch_method", &PatchParameters::method, {"grid_growing", "region_growing"}, "IV-A",
@@ -278,6 +290,9 @@ validate (const AttentionParameters& parameters)
   for (const ParameterDescription& row : parameterTable ())
     if (!inRange (row, row.get (parameters)))
       return (row.name + " is " + row.toString (parameters) + ", but must be " + describeRange (row));
+  if (parameters.image_symmetry.inner_radius > parameters.image_symmetry.outer_radius)
+    return ("image_inner_radius is " + std::to_string (parameters.image_symmetry.inner_radius) +
+            ", but must not exceed image_outer_radius, which is " + std::to_string (parameters.image_symmetry.outer_radius));
   return ("");
 }
 

@@ -141,6 +141,7 @@ AttentionPipeline::start (OrganizedCloud&& cloud, const Eigen::Isometry3f& senso
   cloud_ = std::move (cloud);
   normals_.reset ();
   saliency_.reset ();
+  image_saliency_.reset ();
   setPrior (AttentionPrior ());
   times_ = StageTimes ();
 }
@@ -199,7 +200,8 @@ AttentionPipeline::changeParameters (const AttentionParameters& parameters)
   };
   const bool normals_changed = changed ("normals");
   const bool saliency_changed = normals_changed || changed ("saliency");
-  const bool points_changed = saliency_changed || changed ("attention_points");
+  const bool image_saliency_changed = changed ("image_symmetry");
+  const bool points_changed = saliency_changed || image_saliency_changed || changed ("attention_points");
   // The patches are cut in place, so that whether they are cut is as good as a setting of theirs.
   const bool patches_changed = normals_changed || changed ("patches") || changed ("patch_graph") || changed ("support") ||
                                parameters.clustering.stay_off_support != parameters_.clustering.stay_off_support;
@@ -211,9 +213,10 @@ AttentionPipeline::changeParameters (const AttentionParameters& parameters)
     normals_.reset ();
     times_.normals = 0.0;
   }
-  if (saliency_changed)
+  if (saliency_changed || image_saliency_changed)
   {
     saliency_.reset ();
+    image_saliency_.reset ();
     times_.saliency = 0.0;
   }
   if (points_changed || (patches_changed && !prior_.empty ()))
@@ -234,9 +237,6 @@ AttentionPipeline::setSaliency (Image<float>&& saliency)
 {
   saliency_.emplace ();
   saliency_->maximum = saliency.data.empty () ? 0.0f : *std::max_element (saliency.data.begin (), saliency.data.end ());
-  // Nothing is known about where the user's map comes from.
-  saliency_->winning_level.assign (saliency.width, saliency.height, 0);
-  saliency_->winning_plane.assign (saliency.width, saliency.height, 0);
   saliency_->saliency = std::move (saliency);
 }
 
@@ -282,6 +282,17 @@ AttentionPipeline::saliency ()
 }
 
 const Image<float>&
+AttentionPipeline::imageSaliency ()
+{
+  if (!image_saliency_)
+  {
+    const StageTimer timer (times_.saliency);
+    image_saliency_ = computeImageSaliency (cloud_, parameters_.image_symmetry, threads_);
+  }
+  return (*image_saliency_);
+}
+
+const Image<float>&
 AttentionPipeline::priorWeights ()
 {
   if (!prior_.empty () && prior_weights_.data.empty ())
@@ -299,15 +310,15 @@ AttentionPipeline::attentionPoints ()
 {
   if (!attention_points_)
   {
-    saliency ();
+    const Image<float>& map = parameters_.attention_points.strategy == AttentionStrategy::image_winner_take_all
+                                ? imageSaliency () : saliency ().saliency;
     priorWeights ();
     const StageTimer timer (times_.attention_points);
     attention_points_.emplace ();
     if (!prior_.empty ())
-      extractAttentionPoints (saliency_->saliency, prior_weights_, cloud_.valid, parameters_.attention_points,
-                              *attention_points_);
+      extractAttentionPoints (map, prior_weights_, cloud_.valid, parameters_.attention_points, *attention_points_);
     else
-      extractAttentionPoints (saliency_->saliency, cloud_.valid, parameters_.attention_points, *attention_points_);
+      extractAttentionPoints (map, cloud_.valid, parameters_.attention_points, *attention_points_);
   }
   return (*attention_points_);
 }
@@ -328,13 +339,16 @@ AttentionPipeline::preparePatches ()
     return (buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
                              parameters_.patch_graph));
   };
-  patch_graph_ = graph ();
-  supporting_planes_ = findSupportingPlanes (cloud_, *normals_, *patches_, *patch_graph_, parameters_.support);
+  std::optional<PatchGraph> uncut;
+  supporting_planes_ = findSupportingPlanes (cloud_, *normals_, *patches_, [&] () -> const PatchGraph& {
+    return (uncut.emplace (graph ()));
+  }, parameters_.support);
   if (!supporting_planes_->empty () && parameters_.clustering.stay_off_support)
   {
     support_patches_ = cutAlongPlanes (cloud_, *supporting_planes_, parameters_.patches, *patches_);
-    patch_graph_ = graph ();
+    uncut.reset ();
   }
+  patch_graph_ = uncut ? std::move (*uncut) : graph ();
   if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
     over_support_ = findPointsOver (cloud_, supporting_planes_->front ());
   for (SupportingPlane& plane : *supporting_planes_)
@@ -472,8 +486,9 @@ AttentionPipeline::priorityOf (std::size_t place, float size_weight) const
   // What is not salient at all still has its size.
   constexpr float least = 0.1f;
   const AttentionPoint& point = queue_[place];
-  const bool users = points_are_users_ && point.kind != AttentionPointKind::coverage;
-  const float saliency = users ? std::numeric_limits<float>::infinity () : point.saliency;
+  const bool keeps_order =
+    point.kind == AttentionPointKind::winner || (points_are_users_ && point.kind != AttentionPointKind::coverage);
+  const float saliency = keeps_order ? std::numeric_limits<float>::infinity () : point.saliency;
   return {-weightStep (point.weight), isPreferred (point), (least + saliency) * size_weight};
 }
 

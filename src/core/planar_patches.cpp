@@ -18,6 +18,62 @@ namespace
 
 constexpr std::array<std::array<int, 2>, 4> four_neighbors{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
+/** \brief Sums over points p relative to an origin: p and p p'. */
+struct Moments
+{
+  Eigen::Vector3d sum;
+  Eigen::Matrix3d square;
+};
+
+/** \param[in] pixels ascending: most lie beside each other, and are summed several at a time */
+Moments
+momentsOf (const OrganizedCloud& cloud, const pcl::Indices& pixels, const Eigen::Vector3d& origin)
+{
+  constexpr int together = 4;
+  using Several = Eigen::Array<double, together, 1>;
+  using Stored = Eigen::Map<const Eigen::Array<float, together, 1>>;
+  Several sums[3], squares[6]; // of the coordinates; of xx, xy, xz, yy, yz, zz
+  for (Several& values : sums)
+    values.setZero ();
+  for (Several& values : squares)
+    values.setZero ();
+  const auto add = [&] (const Several& x, const Several& y, const Several& z) {
+    sums[0] += x;
+    sums[1] += y;
+    sums[2] += z;
+    squares[0] += x * x;
+    squares[1] += x * y;
+    squares[2] += x * z;
+    squares[3] += y * y;
+    squares[4] += y * z;
+    squares[5] += z * z;
+  };
+  for (std::size_t i = 0; i < pixels.size ();)
+  {
+    const pcl::index_t first = pixels[i];
+    if (i + together <= pixels.size () && pixels[i + together - 1] == first + together - 1)
+    {
+      add (Stored (&cloud.x[first]).cast<double> () - origin.x (), Stored (&cloud.y[first]).cast<double> () - origin.y (),
+           Stored (&cloud.z[first]).cast<double> () - origin.z ());
+      i += together;
+    }
+    else
+    {
+      const auto alone = [] (double value) { return (Several (value, 0.0, 0.0, 0.0)); };
+      add (alone (cloud.x[first] - origin.x ()), alone (cloud.y[first] - origin.y ()), alone (cloud.z[first] - origin.z ()));
+      ++i;
+    }
+  }
+  const double xx = squares[0].sum (), xy = squares[1].sum (), xz = squares[2].sum (), yy = squares[3].sum (),
+               yz = squares[4].sum (), zz = squares[5].sum ();
+  Moments moments;
+  moments.sum << sums[0].sum (), sums[1].sum (), sums[2].sum ();
+  moments.square << xx, xy, xz,
+                    xy, yy, yz,
+                    xz, yz, zz;
+  return (moments);
+}
+
 } // namespace
 
 void
@@ -99,23 +155,11 @@ describePatches (const OrganizedCloud& cloud, PlanarPatches& result)
   {
     if (patch.pixels.empty ())
       continue;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero (), diagonal = sum, mixed = sum; // mixed: xy, yz, zx
-    const pcl::index_t first = patch.pixels.front ();
-    const Eigen::Vector3d origin = pointAt (cloud, first).cast<double> ();
-    for (const pcl::index_t index : patch.pixels)
-    {
-      const Eigen::Vector3d point = pointAt (cloud, index).cast<double> () - origin;
-      sum += point;
-      diagonal += point.cwiseProduct (point);
-      mixed += Eigen::Vector3d (point.x () * point.y (), point.y () * point.z (), point.z () * point.x ());
-    }
-    Eigen::Matrix3d square;
-    square << diagonal.x (), mixed.x (), mixed.z (),
-              mixed.x (), diagonal.y (), mixed.y (),
-              mixed.z (), mixed.y (), diagonal.z ();
-    const double size = static_cast<double> (patch.pixels.size ());
-    const Eigen::Vector3d mean = sum / size;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (square / size - mean * mean.transpose ());
+    const Eigen::Vector3d origin = pointAt (cloud, patch.pixels.front ()).cast<double> ();
+    const Moments moments = momentsOf (cloud, patch.pixels, origin);
+    const auto size = static_cast<double> (patch.pixels.size ());
+    const Eigen::Vector3d mean = moments.sum / size;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (moments.square / size - mean * mean.transpose ());
     patch.centroid = (origin + mean).cast<float> ();
     patch.normal = solver.eigenvectors ().col (0).cast<float> ();
     if (patch.normal.dot (patch.centroid) > 0.0f)

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+
 namespace pcl_attention
 {
 
@@ -13,6 +15,16 @@ inline Eigen::Vector3f
 pointAt (const OrganizedCloud& cloud, std::size_t index)
 {
   return {cloud.x[index], cloud.y[index], cloud.z[index]};
+}
+
+/** \brief So many points, evenly taken, fix a plane as well as all of them: their deviation to a hundredth. */
+constexpr std::size_t enough_points = 4000;
+
+/** \brief Every how many-th of so many points to take for about enough of them. */
+inline std::size_t
+stepOf (std::size_t count)
+{
+  return (std::max<std::size_t> (1, count / enough_points));
 }
 
 } // namespace pcl_attention

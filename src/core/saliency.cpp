@@ -59,47 +59,33 @@ winningAxis (const SymmetryMap& map, int column, int row, int reach)
   return (0);
 }
 
-/** \brief Paper eq. 9: the sum of all levels at the finest size; also which level gives most of it. */
-void
-acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& cloud, SaliencyMaps& maps)
+/** \brief What every level contributes to the sum of paper eq. 9, at the finest size. */
+template <typename Take> void
+forEachContribution (const SaliencyParameters& parameters, const SaliencyMaps& maps, const Take& take)
 {
-  maps.saliency.assign (cloud.width, cloud.height, 0.0f);
-  maps.winning_level.assign (cloud.width, cloud.height, 0);
-  maps.winning_plane.assign (cloud.width, cloud.height, 0);
-  Image<float> best (cloud.width, cloud.height, 0.0f), best_level (cloud.width, cloud.height, 0.0f);
   std::vector<std::pair<int, int>> sizes;
   for (const SymmetryMap& level : maps.levels)
     sizes.emplace_back (level.symmetry.width, level.symmetry.height);
   for (std::size_t level = 0; level < maps.levels.size (); ++level)
   {
-    const SymmetryMap& symmetry = maps.levels[level];
-    const float peak = largest (symmetry.symmetry);
-    if (peak <= 0.0f)
-      continue;
-    const float scale = parameters.normalize_levels ? 1.0f / peak : 1.0f;
-    const Image<float> contribution = enlarge (symmetry.symmetry, level, sizes);
-    const auto name = static_cast<float> (level + 1);
-    for (std::size_t index = 0; index < cloud.size (); ++index)
-    {
-      const float value = scale * contribution[index];
-      maps.saliency[index] += value;
-      best_level[index] = value > best[index] ? name : best_level[index];
-      best[index] = value > best[index] ? value : best[index];
-    }
+    const Image<float>& symmetry = maps.levels[level].symmetry;
+    const float peak = largest (symmetry);
+    if (peak > 0.0f)
+      take (level, enlarge (symmetry, level, sizes), parameters.normalize_levels ? 1.0f / peak : 1.0f);
   }
-  for (int row = 0; row < cloud.height; ++row)
-    for (int column = 0; column < cloud.width; ++column)
-    {
-      const std::size_t index = static_cast<std::size_t> (row) * cloud.width + column;
-      if (!cloud.valid[index])
-        maps.saliency[index] = 0.0f;
-      else if (const int level = static_cast<int> (best_level[index]))
-      {
-        maps.winning_level[index] = static_cast<std::uint8_t> (level);
-        maps.winning_plane[index] = winningAxis (maps.levels[level - 1], column >> (level - 1), row >> (level - 1),
-                                                 parameters.blur_radius + 1);
-      }
-    }
+}
+
+/** \brief Paper eq. 9: the sum of all levels at the finest size. */
+void
+acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& cloud, SaliencyMaps& maps)
+{
+  maps.saliency.assign (cloud.width, cloud.height, 0.0f);
+  forEachContribution (parameters, maps, [&] (std::size_t, const Image<float>& contribution, float scale) {
+    for (std::size_t index = 0; index < cloud.size (); ++index)
+      maps.saliency[index] += scale * contribution[index];
+  });
+  for (std::size_t index = 0; index < cloud.size (); ++index)
+    maps.saliency[index] = cloud.valid[index] ? maps.saliency[index] : 0.0f;
   maps.maximum = largest (maps.saliency);
   if (maps.maximum > 0.0f)
     for (float& value : maps.saliency.data)
@@ -129,6 +115,28 @@ computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const 
     cleanLevel (parameters, map);
   }
   acrossScaleSum (parameters, cloud, maps);
+}
+
+WinningSymmetry
+findWinningSymmetry (const SaliencyMaps& maps, const SaliencyParameters& parameters)
+{
+  const int width = maps.saliency.width, height = maps.saliency.height;
+  WinningSymmetry winning{{width, height, 0}, {width, height, 0}};
+  Image<float> best (width, height, 0.0f);
+  forEachContribution (parameters, maps, [&] (std::size_t level, const Image<float>& contribution, float scale) {
+    for (std::size_t index = 0; index < best.size (); ++index)
+      if (maps.saliency[index] > 0.0f && scale * contribution[index] > best[index])
+      {
+        best[index] = scale * contribution[index];
+        winning.level[index] = static_cast<std::uint8_t> (level + 1);
+      }
+  });
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+      if (const int level = winning.level (column, row))
+        winning.plane (column, row) =
+          winningAxis (maps.levels[level - 1], column >> (level - 1), row >> (level - 1), parameters.blur_radius + 1);
+  return (winning);
 }
 
 } // namespace pcl_attention

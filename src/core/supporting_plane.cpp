@@ -97,9 +97,6 @@ struct PlaneFit
   float offset;
 };
 
-/** \brief So many points, evenly taken, fix a plane as well as all of them. */
-constexpr std::size_t enough_points = 10000;
-
 PlaneFit
 fitPlane (const OrganizedCloud& cloud, const pcl::Indices& indices)
 {
@@ -107,7 +104,7 @@ fitPlane (const OrganizedCloud& cloud, const pcl::Indices& indices)
   Eigen::Matrix3d square = Eigen::Matrix3d::Zero ();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero ();
   double weights = 0.0;
-  const std::size_t step = std::max<std::size_t> (1, indices.size () / enough_points);
+  const std::size_t step = stepOf (indices.size ());
   for (std::size_t i = 0; i < indices.size (); i += step)
   {
     const Eigen::Vector3d point = pointAt (cloud, indices[i]).cast<double> () - origin;
@@ -136,7 +133,7 @@ public:
     using Row = Eigen::Matrix<double, 6, 1>;
     Eigen::Matrix<double, 6, 6> square = Eigen::Matrix<double, 6, 6>::Zero ();
     Row product = Row::Zero ();
-    const std::size_t step = std::max<std::size_t> (1, indices.size () / enough_points);
+    const std::size_t step = stepOf (indices.size ());
     for (std::size_t i = 0; i < indices.size (); i += step)
     {
       const Row row = terms (pointAt (cloud, indices[i])).cast<double> ();
@@ -164,16 +161,17 @@ private:
 };
 
 PointArrays
-arraysOf (const OrganizedCloud& cloud, const NormalImage& normals)
+arraysOf (const OrganizedCloud& cloud, const NormalImage& normals, std::size_t first)
 {
-  return {cloud.x.data (),   cloud.y.data (),   cloud.z.data (),    normals.x.data (),
-          normals.y.data (), normals.z.data (), cloud.valid.data ()};
+  return {cloud.x.data () + first,   cloud.y.data () + first,   cloud.z.data () + first,    normals.x.data () + first,
+          normals.y.data () + first, normals.z.data () + first, cloud.valid.data () + first};
 }
 
-/** \brief Points within a tolerance of a plane. */
+/** \brief Points within a tolerance of a plane.
+  * \param[in] row_step 1 for all rows, 2 for every second one, ... */
 pcl::Indices
 pointsOf (const OrganizedCloud& cloud, const NormalImage& normals, float noise, const SupportParameters& parameters,
-          const BentPlane& surface)
+          const BentPlane& surface, int row_step)
 {
   SurfaceTest test;
   std::copy_n (surface.plane.normal.data (), 3, test.normal);
@@ -183,13 +181,16 @@ pointsOf (const OrganizedCloud& cloud, const NormalImage& normals, float noise, 
   test.noise_tolerance = parameters.noise_tolerance * noise;
   test.below = 0.03f;
   test.minimum_cosine = std::cos (0.6f);
-  std::vector<std::uint8_t> near (cloud.size ());
-  laneKernels ().pointsNear (arraysOf (cloud, normals), cloud.size (), test, near.data ());
+  std::vector<std::uint8_t> near (cloud.width);
   pcl::Indices indices;
-  indices.reserve (std::count (near.begin (), near.end (), 1));
-  for (std::size_t index = 0; index < near.size (); ++index)
-    if (near[index])
-      indices.push_back (static_cast<pcl::index_t> (index));
+  for (int row = 0; row < cloud.height; row += row_step)
+  {
+    const pcl::index_t first = row * cloud.width;
+    laneKernels ().pointsNear (arraysOf (cloud, normals, first), near.size (), test, near.data ());
+    for (int column = 0; column < cloud.width; ++column)
+      if (near[column])
+        indices.push_back (first + column);
+  }
   return (indices);
 }
 
@@ -240,9 +241,10 @@ float
 areaOf (const OrganizedCloud& cloud, const pcl::Indices& indices, const Eigen::Vector3f& normal, float focal_length)
 {
   float area = 0.0f;
-  for (const pcl::index_t index : indices)
-    area += pixelArea (pointAt (cloud, index), normal, focal_length);
-  return (area);
+  const std::size_t step = stepOf (indices.size ());
+  for (std::size_t i = 0; i < indices.size (); i += step)
+    area += pixelArea (pointAt (cloud, indices[i]), normal, focal_length);
+  return (area * static_cast<float> (step));
 }
 
 bool
@@ -252,6 +254,22 @@ touchesImageBorder (const OrganizedCloud& cloud, const pcl::Indices& indices)
     const int column = index % cloud.width, row = index / cloud.width;
     return (column == 0 || row == 0 || column == cloud.width - 1 || row == cloud.height - 1);
   }));
+}
+
+/** \brief Pairs of a patch's border that are connected where the surface bends inwards.
+  * \param[in] label 0: of no patch in the graph */
+double
+concaveBorder (const PatchGraph& graph, int label)
+{
+  double concave = 0.0;
+  if (label > 0)
+    for (const int neighbor : graph.neighbors[label])
+    {
+      const PatchBorder border = graph.border (label, neighbor);
+      if (border.convexity () < -0.2f)
+        concave += border.connected;
+    }
+  return (concave);
 }
 
 /** \brief Planar patches of the cloud at a quarter of its size, where the mean over many points shows planes whose noise breaks
@@ -303,8 +321,9 @@ estimateDepthNoise (const OrganizedCloud& cloud)
   // The inverse depth of a plane is linear along a row, so its second difference is noise, wherever there is no edge.
   constexpr int distance = 8;
   std::vector<float> differences;
-  for (int row = 0; row < cloud.height; row += 2)
-    for (int column = distance; column + distance < cloud.width; column += 2)
+  const int step = std::max (1, cloud.height / 120); // some ten thousand pixels give the median to a hundredth
+  for (int row = 0; row < cloud.height; row += step)
+    for (int column = distance; column + distance < cloud.width; column += step)
     {
       const std::size_t index = static_cast<std::size_t> (row) * cloud.width + column;
       if (!cloud.valid[index] || !cloud.valid[index - distance] || !cloud.valid[index + distance] ||
@@ -323,7 +342,7 @@ estimateDepthNoise (const OrganizedCloud& cloud)
 
 std::vector<SupportingPlane>
 findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
-                      const PatchGraph& graph, const SupportParameters& parameters)
+                      const std::function<const PatchGraph& ()>& graph, const SupportParameters& parameters)
 {
   std::vector<SupportingPlane> planes;
   const float focal_length = estimateFocalLength (cloud);
@@ -352,6 +371,7 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
 
   std::vector<std::uint8_t> taken (cloud.size (), 0);
   std::vector<double> scores;
+  std::vector<int> labels;
   for (const Candidate& candidate : candidates)
   {
     const PlanarPatch& patch = *candidate.patch;
@@ -363,15 +383,16 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
 
     SupportingPlane plane;
     plane.indices = patch.pixels;
-    constexpr int rounds = 4;
+    constexpr int rounds = 4, coarse_step = 4;
     Eigen::Vector3f normal = patch.normal;
     for (int round = 0; round < rounds && plane.indices.size () >= 100; ++round)
     {
+      const bool fine = round == rounds - 1 || plane.indices.size () < coarse_step * enough_points;
       const BentPlane surface (cloud, plane.indices);
       normal = surface.plane.normal;
       plane.coefficients.head<3> () = normal;
       plane.coefficients[3] = surface.plane.offset;
-      plane.indices = pointsOf (cloud, normals, noise, parameters, surface);
+      plane.indices = pointsOf (cloud, normals, noise, parameters, surface, fine ? 1 : coarse_step);
     }
     dropIslands (cloud, plane.indices);
     if (plane.indices.size () < std::max<std::size_t> (100, patch.pixels.size () / 2))
@@ -394,22 +415,21 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
       else if (height < -clear && height > -0.3f && footprint.contains (point, far_outline))
         below += step;
     }
-    double concave = 0.0;
-    if (candidate.label > 0)
-      for (const int neighbor : graph.neighbors[candidate.label])
-      {
-        const PatchBorder border = graph.border (candidate.label, neighbor);
-        if (border.convexity () < -0.2f)
-          concave += border.connected;
-      }
     plane.confidence = static_cast<float> ((over + 100.0) / (over + below + 100.0));
-    scores.push_back (static_cast<double> (patch.pixels.size ()) * (concave + 20.0) * (over + 300.0) * plane.confidence *
-                      plane.confidence);
+    scores.push_back (static_cast<double> (patch.pixels.size ()) * (over + 300.0) * plane.confidence * plane.confidence);
+    labels.push_back (candidate.label);
     for (const pcl::index_t index : plane.indices)
       taken[index] = 1;
     planes.push_back (std::move (plane));
   }
 
+  // What stands on a plane meets it in a concave edge.
+  if (planes.size () > 1)
+  {
+    const PatchGraph& patch_graph = graph ();
+    for (std::size_t k = 0; k < planes.size (); ++k)
+      scores[k] *= concaveBorder (patch_graph, labels[k]) + 20.0;
+  }
   const auto best = std::max_element (scores.begin (), scores.end ());
   if (best != scores.end ())
   {
@@ -447,7 +467,7 @@ findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane)
   std::copy_n (footprint.axis2 ().data (), 3, test.axis2);
   test.edges = outline.data ();
   test.edge_count = static_cast<int> (outline.size ());
-  laneKernels ().pointsOver (arraysOf (cloud, NormalImage ()), cloud.size (), test, over.data ());
+  laneKernels ().pointsOver (arraysOf (cloud, NormalImage (), 0), cloud.size (), test, over.data ());
   return (over);
 }
 

@@ -232,12 +232,16 @@ TEST_F (PointExtraction, SetsEveryParameter)
   extraction.setAllJunctions (false);
   extraction.setJunctionMergeRadius (5.0f);
   extraction.setMinimumSkeletonLength (6);
+  extraction.setWinnerCellSize (7);
+  extraction.setInhibitionWidth (0.8f);
   EXPECT_EQ (extraction.getStrategy (), pcl_attention::AttentionStrategy::symmetry_lines);
   EXPECT_EQ (extraction.getPixelThreshold (), 0.3f);
   EXPECT_EQ (extraction.getComponentThreshold (), 0.4f);
   EXPECT_FALSE (extraction.getAllJunctions ());
   EXPECT_EQ (extraction.getJunctionMergeRadius (), 5.0f);
   EXPECT_EQ (extraction.getMinimumSkeletonLength (), 6);
+  EXPECT_EQ (extraction.getWinnerCellSize (), 7);
+  EXPECT_EQ (extraction.getInhibitionWidth (), 0.8f);
 }
 
 TEST_F (PointExtraction, PutsWhatIsAskedForFirst)

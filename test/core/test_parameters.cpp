@@ -36,9 +36,9 @@ otherValue (const ParameterDescription& row, double value)
 
 TEST (ParameterTable, RowsAreCompleteAndTheirNamesUnique)
 {
-  const std::set<std::string> stages{"normals",     "saliency", "attention_points", "patches",
+  const std::set<std::string> stages{"normals",     "saliency", "attention_points", "image_symmetry", "patches",
                                      "patch_graph", "support",  "clustering",       "segmentation"};
-  const std::set<std::string> units{"m", "pixels", "1/m", "radians", "share", "m^2", ""};
+  const std::set<std::string> units{"m", "pixels", "1/m", "radians", "share", "m^2", "cells", ""};
   std::set<std::string> names;
   for (const ParameterDescription& row : parameterTable ())
   {

@@ -186,8 +186,8 @@ TEST (Pipeline, takesTheMaximumOfAGivenSaliency)
   pipeline.setSaliency (std::move (map));
   EXPECT_EQ (pipeline.saliency ().maximum, 3.0f);
   EXPECT_EQ (pipeline.saliency ().saliency (20, 10), 3.0f);
-  EXPECT_EQ (pipeline.saliency ().winning_level.size (), std::size_t{160} * 120);
-  EXPECT_EQ (pipeline.saliency ().winning_plane.size (), std::size_t{160} * 120);
+  EXPECT_EQ (pipeline.winningSymmetry ().level.size (), std::size_t{160} * 120);
+  EXPECT_EQ (pipeline.winningSymmetry ().plane.size (), std::size_t{160} * 120);
 }
 
 } // namespace

@@ -9,8 +9,10 @@ namespace pcl
 /** \brief Where to look: attention points of a saliency map (paper III-C, eq. 10).
  *
  * Salient pixels are joined to 8-connected components, those salient enough on the whole (theta_sal) are thinned to
- * skeletons, and the skeletons' junctions are the points, or their mid-points where there are no junctions. The map may
- * come from \ref SymmetrySaliencyEstimation or from anywhere else.
+ * skeletons, and the skeletons' junctions are the points, or their mid-points where there are no junctions: the strategy
+ * TJ3D of paper V-A. The other strategies there are choices too: winners of a winner-take-all network on the map (WTA3D)
+ * or on the symmetry saliency of the colours (WTA2D, see \ref ImageSymmetrySaliencyEstimation). The map may come from
+ * \ref SymmetrySaliencyEstimation or from anywhere else.
  *
  * \code
  * pcl::AttentionPointExtraction<pcl::PointXYZRGB> extraction;
@@ -27,7 +29,7 @@ public:
 
   AttentionPointExtraction () = default;
 
-  /** \brief The map, which this class cannot do without. */
+  /** \brief The map, which this class cannot do without, unless the strategy looks at the colours alone. */
   using AttentionBase<PointT>::setSaliency;
 
   using AttentionBase<PointT>::setAttentionPrior;
@@ -54,6 +56,30 @@ public:
   getStrategy () const
   {
     return (getParameters ().strategy);
+  }
+
+  /** \brief The map's square that a neuron of the winner-take-all network sees: 1..64 pixels (paper V-A). */
+  void
+  setWinnerCellSize (int pixels)
+  {
+    settings ().winner_cell_size = pixels;
+  }
+  int
+  getWinnerCellSize () const
+  {
+    return (getParameters ().winner_cell_size);
+  }
+
+  /** \brief Standard deviation of the inhibition of return around a winner: 0.1..10 cells (paper V-A). */
+  void
+  setInhibitionWidth (float cells)
+  {
+    settings ().inhibition_width = cells;
+  }
+  float
+  getInhibitionWidth () const
+  {
+    return (getParameters ().inhibition_width);
   }
 
   /** \brief Share of the map's maximum that a pixel must exceed to be part of a component: 0 ("bigger than zero", paper

@@ -271,8 +271,8 @@ private:
   std::vector<std::unique_ptr<Piece>> pieces_;              /**< from label k at [k]; null until asked for */
   std::vector<std::optional<float>> patch_hollowness_;      /**< of label k at [k], once asked for */
   std::vector<ColorHistogram> histograms_;                  /**< of label k at [k]; empty without colour */
-  ColorHistogram scene_histogram_;                          /**< of all points; empty without colour */
-  std::vector<std::uint8_t> color_bins_;                    /**< of every pixel; empty without colour */
+  ColorHistogram scene_histogram_;                          /**< of all points; empty without the colour constraint */
+  std::vector<std::uint8_t> color_bins_;                    /**< of every pixel; empty without colour and without the constraint */
 };
 
 } // namespace pcl_attention

@@ -13,9 +13,9 @@ namespace pcl_attention
 struct ParameterDescription
 {
   std::string name;   /**< of the flag and the JSON key */
-  std::string stage;  /**< "normals", "saliency", "attention_points", "patches", "patch_graph", "support", "clustering",
-                        "segmentation" */
-  std::string unit;   /**< "m", "pixels", "1/m", "radians", "share" or "" */
+  std::string stage;  /**< "normals", "saliency", "attention_points", "image_symmetry", "patches", "patch_graph", "support",
+                        "clustering", "segmentation" */
+  std::string unit;   /**< "m", "pixels", "1/m", "radians", "share", "m^2", "cells" or "" */
   std::string source; /**< section or equation of the paper, or "" where it is this module's own */
   std::string help;
   double minimum{0.0}, maximum{0.0};

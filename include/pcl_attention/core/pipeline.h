@@ -3,6 +3,7 @@
 
 #include <pcl_attention/core/attention_prior.h>
 #include <pcl_attention/core/compact_clustering.h>
+#include <pcl_attention/core/image_symmetry.h>
 #include <pcl_attention/core/normals.h>
 #include <pcl_attention/core/saliency.h>
 #include <pcl_attention/core/supporting_plane.h>
@@ -33,6 +34,7 @@ struct AttentionParameters
   NormalParameters normals;
   SaliencyParameters saliency;
   AttentionPointParameters attention_points;
+  ImageSymmetryParameters image_symmetry; /**< for the strategy that looks at the colours alone */
   PatchParameters patches;
   PatchGraphParameters patch_graph;
   SupportParameters support;
@@ -99,6 +101,12 @@ public:
   normals ();
   const SaliencyMaps&
   saliency ();
+  /** \brief See \ref findWinningSymmetry. */
+  WinningSymmetry
+  winningSymmetry () { return (findWinningSymmetry (saliency (), parameters_.saliency)); }
+  /** \brief See \ref computeImageSaliency. */
+  const Image<float>&
+  imageSaliency ();
   /** \brief See \ref pcl_attention::priorWeights; empty without a prior. */
   const Image<float>&
   priorWeights ();
@@ -188,6 +196,7 @@ private:
   OrganizedCloud cloud_;
   std::optional<NormalImage> normals_;
   std::optional<SaliencyMaps> saliency_;
+  std::optional<Image<float>> image_saliency_;
   AttentionPrior prior_;
   Image<float> prior_weights_; /**< empty without a prior, and until asked for */
   std::optional<AttentionPoints> attention_points_;

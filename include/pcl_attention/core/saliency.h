@@ -14,8 +14,13 @@ struct SaliencyMaps
   Image<float> saliency;              /**< S, normalised to [0, 1]; 0 on invalid points */
   float maximum{0.0f};                /**< the sum's maximum before the normalisation; 0 when nothing is symmetric */
   std::vector<SymmetryMap> levels;    /**< finest first, each of its own size, after blur and thresholds */
-  Image<std::uint8_t> winning_level;  /**< 1..levels: the level that contributes most; 0 where S is 0 */
-  Image<std::uint8_t> winning_plane;  /**< 1..3: the winning axis at that level; 0 where S is 0 */
+};
+
+/** \brief Where a saliency map comes from. */
+struct WinningSymmetry
+{
+  Image<std::uint8_t> level; /**< 1..levels: the level that contributes most; 0 where S is 0 */
+  Image<std::uint8_t> plane; /**< 1..3: the winning axis at that level; 0 where S is 0 */
 };
 
 /** \brief Symmetry on every level of a Gaussian pyramid, summed across scales and normalised (paper eq. 9).
@@ -27,5 +32,11 @@ struct SaliencyMaps
 PCL_ATTENTION_EXPORTS void
 computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const SaliencyParameters& parameters, int threads,
                  SaliencyMaps& maps);
+
+/** \brief Which level gives most of the saliency at every pixel, and about which plane it is symmetric there (paper eq. 2 and 9).
+  * \param[in] parameters those that the maps were computed with
+  * \return all 0 for maps without levels, as those that a user brings */
+PCL_ATTENTION_EXPORTS WinningSymmetry
+findWinningSymmetry (const SaliencyMaps& maps, const SaliencyParameters& parameters);
 
 } // namespace pcl_attention

@@ -3,6 +3,8 @@
 
 #include <pcl_attention/core/patch_graph.h>
 
+#include <functional>
+
 namespace pcl_attention
 {
 
@@ -34,11 +36,11 @@ PCL_ATTENTION_EXPORTS float
 estimateDepthNoise (const OrganizedCloud& cloud);
 
 /** \brief Find the supporting plane and the other planes of the background.
-  * \param[in] graph of the patches
+  * \param[in] graph gives that of the patches; asked only where there are several planes to choose from
   * \return the plane that objects stand on first, if there is one */
 PCL_ATTENTION_EXPORTS std::vector<SupportingPlane>
 findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
-                      const PatchGraph& graph, const SupportParameters& parameters);
+                      const std::function<const PatchGraph& ()>& graph, const SupportParameters& parameters);
 
 /** \brief Which points stand on a plane: above it, at most half a metre, and their feet within its outline.
   * \return 1 for those, of the cloud's size */

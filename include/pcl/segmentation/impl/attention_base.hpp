@@ -108,6 +108,9 @@ std::string
 AttentionBase<PointT>::checkInput () const
 {
   std::string problem = pcl_attention::validate (parameters_);
+  if (problem.empty () && !pcl_attention::HasRgb<PointT>::value &&
+      parameters_.attention_points.strategy == pcl_attention::AttentionStrategy::image_winner_take_all)
+    problem = "strategy is image_winner_take_all, which looks at colours, but the points have none";
   if (!problem.empty ())
     return ("Bad parameter: " + problem + ".");
   problem = pcl_attention::checkCloud (input_.get ());

@@ -15,7 +15,8 @@ AttentionPointExtraction<PointT>::extract (std::vector<AttentionPoint>& points)
 {
   points.clear ();
   this->forget ();
-  if (!this->accept ("extract", this->hasSaliency () ? ""
+  const bool needs_map = this->getParameters ().strategy != pcl_attention::AttentionStrategy::image_winner_take_all;
+  if (!this->accept ("extract", this->hasSaliency () || !needs_map ? ""
                                                      : "No saliency map: call setSaliency first, with that of "
                                                        "pcl::SymmetrySaliencyEstimation or any other."))
     return (false);

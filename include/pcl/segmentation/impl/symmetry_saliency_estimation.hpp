@@ -45,7 +45,7 @@ SymmetrySaliencyEstimation<PointT>::getWinningPlane () const
 {
   if (!this->isStarted ())
     return {};
-  return (pcl_attention::scatter<pcl::Label> (pipeline_.saliency ().winning_plane, input_->header, &pcl::Label::label));
+  return (pcl_attention::scatter<pcl::Label> (pipeline_.winningSymmetry ().plane, input_->header, &pcl::Label::label));
 }
 
 template <typename PointT>
@@ -54,7 +54,7 @@ SymmetrySaliencyEstimation<PointT>::getWinningLevel () const
 {
   if (!this->isStarted ())
     return {};
-  return (pcl_attention::scatter<pcl::Label> (pipeline_.saliency ().winning_level, input_->header, &pcl::Label::label));
+  return (pcl_attention::scatter<pcl::Label> (pipeline_.winningSymmetry ().level, input_->header, &pcl::Label::label));
 }
 
 } // namespace pcl
