@@ -158,6 +158,22 @@ TEST_F (Viewer, stepsThroughTheGrowthOfAnObject)
   EXPECT_EQ (model_.step (), static_cast<int> (segment.steps.size ()));
 }
 
+TEST_F (Viewer, showsNoGrowthWhileTheObjectsAreFoundAnew)
+{
+  model_.stepNext (1);
+  const AttentionResultsPtr whole = std::make_shared<const AttentionResults> (model_.results ());
+  AttentionResults begun = *whole; // as the worker publishes it once the saliency has changed
+  begun.segments.clear ();
+  begun.complete = false;
+  model_.setResults (std::make_shared<const AttentionResults> (begun));
+  EXPECT_EQ (model_.selected (), nullptr);
+  EXPECT_EQ (model_.step (), -1);
+  EXPECT_EQ (titleOf (model_, View::patches), "Patches");
+  EXPECT_TRUE (legendOf (model_, View::patches).empty ());
+  model_.setResults (whole);
+  EXPECT_EQ (model_.step (), 0) << "the object is there again, and its growth";
+}
+
 TEST (ViewerTexts, sayByWhichConstraintAndHowMuch)
 {
   const auto step = [] (GrowthConstraint constraint, float value, float limit) {
