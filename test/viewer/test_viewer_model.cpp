@@ -425,6 +425,28 @@ TEST_F (Viewer, ofWaitingRequestsOnlyTheNewestIsComputed)
   EXPECT_FALSE (worker_.isBusy ());
 }
 
+TEST_F (Viewer, keepsWhatARequestHadComputedWhenItWasGivenUp)
+{
+  // Wherever the second request comes into the first, its scene cannot be read and the same is to be computed.
+  for (int delay = 0; delay < 60; delay += 2)
+  {
+    const bool odd = delay / 2 % 2 == 1;
+    AttentionRequest request = model_.request ();
+    request.parameters.saliency.levels = odd ? 3 : 2;
+    request.parameters.patches.minimum_size = odd ? 400 : 10;
+    AttentionRequest next = request;
+    worker_.submit (std::move (request));
+    std::this_thread::sleep_for (std::chrono::milliseconds (delay));
+    next.load = [this] { return (readViewerScene (folder_ / "missing.pcd", 0)); };
+    worker_.submit (std::move (next));
+    const AttentionResultsPtr results = worker_.wait ();
+    ASSERT_EQ (results->saliency->levels.size (), odd ? 3u : 2u) << "after " << delay;
+    const auto patches = static_cast<int> (results->patches->patches.size ());
+    for (const auto& border : results->patch_graph->borders)
+      ASSERT_LE (border.first.second, patches) << "after " << delay;
+  }
+}
+
 TEST_F (Viewer, endsInTheMiddleOfAComputation)
 {
   for (int round = 0; round < 3; ++round)
