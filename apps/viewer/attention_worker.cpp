@@ -202,7 +202,8 @@ AttentionWorker::answer (const AttentionRequest& request, AttentionResults& resu
   results.own_segments.clear ();
   int rank = static_cast<int> (results.segments.size ());
   std::vector<AttentionSegment> all = results.segments;
-  for (const AttentionPoint& point : request.own_points)
+  const bool fixations_apply = request.scene == results.scene;
+  for (const AttentionPoint& point : fixations_apply ? request.own_points : std::vector<AttentionPoint> ())
   {
     AttentionSegment segment;
     if (pipeline_.segmentAt (point, segment))

@@ -340,7 +340,6 @@ ViewerWindow::Parts::run ()
       {
         AttentionRequest request = model.request ();
         request.load = load;
-        request.own_points.clear ();
         worker.submit (std::move (request));
       }
     takeResults ();
@@ -411,7 +410,6 @@ ViewerWindow::Parts::openScene (int direction)
   }
   AttentionRequest request = model.request ();
   request.load = scenes.move (direction);
-  request.own_points.clear ();
   worker.submit (std::move (request));
   opening = true;
   say ("Scene " + std::to_string (scenes.current () + 1) + " of " + std::to_string (scenes.size ()) + " ...");

@@ -447,6 +447,36 @@ TEST_F (Viewer, keepsWhatARequestHadComputedWhenItWasGivenUp)
   }
 }
 
+TEST_F (Viewer, knowsOwnFixationsByTheirSceneAndPlace)
+{
+  const pcl::index_t first = model_.segments ()[1].indices.front (), second = model_.segments ()[2].indices.front ();
+  model_.addFixation (first % 320, first / 320);
+  AttentionRequest request = model_.request ();
+  request.load = [] { return (labelledScene (7)); };
+  worker_.submit (std::move (request));
+  EXPECT_TRUE (worker_.wait ()->own_segments.empty ()) << "it lies in the scene before";
+  EXPECT_TRUE (model_.setResults (worker_.results ()));
+  EXPECT_TRUE (model_.ownFixations ().empty ());
+
+  open ([] { return (scene ()); });
+  model_.addFixation (first % 320, first / 320);
+  worker_.submit (model_.request ());
+  AttentionResults older = *worker_.wait ();
+  ASSERT_EQ (older.own_segments.size (), 1u);
+  older.own_segments[0].indices.clear ();
+  model_.undoFixation ();
+  model_.addFixation (second % 320, second / 320);
+  EXPECT_TRUE (model_.setResults (std::make_shared<const AttentionResults> (older)));
+  ASSERT_EQ (model_.ownFixations ().size (), 1u) << "nothing is known of it yet";
+  EXPECT_TRUE (compute ());
+  ASSERT_NE (model_.selected (), nullptr);
+  EXPECT_TRUE (std::binary_search (model_.selected ()->indices.begin (), model_.selected ()->indices.end (), second));
+
+  // Where another scene cannot be read, they stay.
+  open ([this] { return (readViewerScene (folder_ / "missing.pcd", 0)); });
+  EXPECT_EQ (model_.segments ().back ().attention_point.kind, AttentionPointKind::user);
+}
+
 TEST_F (Viewer, endsInTheMiddleOfAComputation)
 {
   for (int round = 0; round < 3; ++round)
