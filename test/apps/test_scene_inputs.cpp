@@ -367,7 +367,7 @@ TEST_F (SceneInputs, ReadsTheCameraFromTextOrJson)
     return (std::string ());
   };
   for (const char* text : {"", "525", "525,525,319.5", "525,525,319.5,239.5,", "525,525,319.5,239.5,640", "525;525;1;1",
-                           "525,525,319.5,239.5,640,480,1", "a,b,c,d"})
+                           "525,525,319.5,239.5,640,480,1", "a,b,c,d", "nan,525,319.5,239.5", "525,525,inf,239.5"})
     EXPECT_EQ (errorOf (text), "'" + std::string (text) +
                                    "': neither a JSON file nor numbers as fx,fy,cx,cy or fx,fy,cx,cy,width,height");
   EXPECT_EQ (errorOf ("0,525,319.5,239.5"), "'0,525,319.5,239.5': fx is 0, but must be above 0, in pixels");
