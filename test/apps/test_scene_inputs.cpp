@@ -238,6 +238,8 @@ TEST_F (SceneInputs, SaysWhatIsWrongWithAPlyFile)
              "truncated: the header announces 2000000000 elements, more than the file can hold");
   EXPECT_EQ (errorOf (begin + "2\n" + end + "123456789012"),
              "truncated: the header announces 2 points, more than the file can hold");
+  EXPECT_EQ (errorOf (begin + "1\n" + end.substr (0, end.size () - 1)),
+             "truncated: the header announces 1 points, more than the file can hold");
   EXPECT_EQ (errorOf (begin + "1\nproperty half x\nend_header\n"), "damaged PLY header: unknown type 'half'");
   EXPECT_EQ (errorOf (begin + "1\nproperty float x\nproperty float y\nend_header\n12345678"),
              "no property z: a cloud with the properties x, y and z is needed");
