@@ -8,6 +8,7 @@
 #include "evaluation/report.h"
 #include "evaluation/results.h"
 #include "parameter_flags.h"
+#include "whole_file.h"
 
 #include <pcl/segmentation/attention_segmentation.h>
 
@@ -172,13 +173,13 @@ report (const CommandLine& command_line, const std::vector<GroundTruthKind>& kin
   {
     std::ostringstream stream;
     writeObjectsCsv (stream, scores);
-    writeFile (command_line.get<std::string> ("csv"), stream.str ());
+    writeWholeFile (command_line.get<std::string> ("csv"), stream.str ());
   }
   if (command_line.has ("summary_csv"))
   {
     std::ostringstream stream;
     writeSummaryCsv (stream, all);
-    writeFile (command_line.get<std::string> ("summary_csv"), stream.str ());
+    writeWholeFile (command_line.get<std::string> ("summary_csv"), stream.str ());
   }
 }
 
