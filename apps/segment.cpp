@@ -30,7 +30,7 @@ struct Settings
   fs::path output_folder;
   NamedParameters parameters;
   NamedPrior prior;
-  int threads{0};
+  unsigned int threads{0};
   SceneOptions scene_options;
 };
 
@@ -72,8 +72,7 @@ processScenes (const std::vector<std::string>& paths, const Settings& settings)
 {
   std::size_t failures = 0;
   bool no_color_said = false;
-  SceneStream scenes (paths, settings.scene_options, settings.parameters.values, settings.prior,
-                      static_cast<unsigned int> (settings.threads));
+  SceneStream scenes (paths, settings.scene_options, settings.parameters.values, settings.prior, settings.threads);
   for (std::size_t i = 0; i < paths.size (); ++i)
   {
     const std::string file_name = fs::path (paths[i]).filename ().string ();
@@ -122,9 +121,8 @@ main (int argc, char** argv)
       "as a whole: attention_points.csv, segments.json,\nmask_0001.png ..., labels.pcd, "
       "overview.png and summary.json.\n\n"
       "Exit code: 0, 1 if a scene failed, 2 for a bad command line.");
-  command_line.addOptions () ("output_dir", po::value<std::string> (), "folder for the results; made if need be") (
-      "threads", po::value<int> ()->default_value (0),
-      "number of threads, 0 for all processors; does not change the results");
+  command_line.addOptions () ("output_dir", po::value<std::string> (), "folder for the results; made if need be");
+  addThreadsFlag (command_line);
   addSceneFlags (command_line);
   addPriorFlags (command_line);
   addParameterFlags (command_line);
@@ -133,10 +131,8 @@ main (int argc, char** argv)
   Settings settings;
   settings.parameters = parametersFromFlags (command_line);
   settings.prior = priorFromFlags (command_line);
-  settings.threads = command_line.get<int> ("threads");
+  settings.threads = threadsFromFlag (command_line);
   settings.scene_options = sceneOptionsFromFlags (command_line);
-  if (settings.threads < 0)
-    command_line.fail ("-threads is " + std::to_string (settings.threads) + ", but must be 0 or more");
   if (command_line.positional ().empty ())
     command_line.fail ("no scene given");
   if (!command_line.has ("output_dir") || command_line.get<std::string> ("output_dir").empty ())
