@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pcl_attention_segment: the objects of RGB-D scenes, in order of attention.
-#include "evaluation/labelled_scene.h"
 #include "output_folder.h"
 #include "parameter_flags.h"
 #include "prior_flags.h"
@@ -141,11 +140,7 @@ main (int argc, char** argv)
 
   try
   {
-    // A folder of PNG files is one of depth images only where the camera is known: it may be one of results.
-    std::vector<std::string> extensions{".pcd", ".ply"};
-    if (settings.scene_options.camera.isKnown ())
-      extensions.push_back (".png");
-    const std::vector<std::string> paths = listScenes (command_line.positional (), extensions);
+    const std::vector<std::string> paths = listScenesToRead (command_line.positional (), settings.scene_options);
     OutputFolder::prepareParent (settings.output_folder);
     return (exitCode (program, processScenes (paths, settings) == 0 ? EXIT_SUCCESS : EXIT_FAILURE));
   }
