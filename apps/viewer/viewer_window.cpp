@@ -158,6 +158,9 @@ struct ViewerWindow::Parts
 
   Parts (const WindowSettings& window_settings, ViewerModel& viewer_model, AttentionWorker& attention_worker,
          SceneSequence& scene_sequence);
+  ~Parts ();
+  Parts (const Parts&) = delete;
+  Parts& operator= (const Parts&) = delete;
 
   void run ();
   void picture (const std::string& path);
@@ -311,6 +314,13 @@ ViewerWindow::Parts::Parts (const WindowSettings& window_settings, ViewerModel& 
     window->GetInteractor ()->AddObserver (event, mouse_guards.back (), after_sliders_before_style);
   }
   layout ();
+}
+
+ViewerWindow::Parts::~Parts ()
+{
+  // Once closed, VTK's window and its interactor would keep each other, and with them all that was shown.
+  sliders.reset ();
+  window->SetInteractor (nullptr);
 }
 
 // ---- What happens ----
