@@ -249,9 +249,11 @@ case $2 in
     ((code == 0)) || fail "exit code $code"
     ;;
   closing)
-    make_scene large.pcd -seed 2 -width 1280 -height 960
-    start_viewer large.pcd
-    close_viewer # with most of it still to be computed
+    mkdir large
+    make_scene large/a.pcd -seed 2 -width 1280 -height 960
+    make_scene large/b.pcd -seed 3 -width 1280 -height 960
+    open_viewer large -play -frame_rate 100 # there is always something to be computed
+    close_viewer
     ;;
   sequence)
     mkdir frames
