@@ -80,6 +80,22 @@ CommandLine::fail (const std::string& message) const
   std::exit (2);
 }
 
+void
+addThreadsFlag (CommandLine& command_line)
+{
+  command_line.addOptions () ("threads", po::value<int> ()->default_value (0),
+                              "number of threads, 0 for all processors; does not change the results");
+}
+
+unsigned int
+threadsFromFlag (const CommandLine& command_line)
+{
+  const int threads = command_line.get<int> ("threads");
+  if (threads < 0)
+    command_line.fail ("-threads is " + std::to_string (threads) + ", but must be 0 or more");
+  return (static_cast<unsigned int> (threads));
+}
+
 int
 exitCode (const std::string& program, int code)
 {

@@ -53,6 +53,14 @@ private:
   std::vector<std::string> positional_;
 };
 
+/** \brief Add -threads. */
+void
+addThreadsFlag (CommandLine& command_line);
+
+/** \brief Number of threads, 0 for all processors. A negative one ends the program as CommandLine::fail does. */
+unsigned int
+threadsFromFlag (const CommandLine& command_line);
+
 /** \brief Exit code of a program whose work ended with this one: 1, after one line on stderr, when what it printed could not be
   * written. */
 int

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -84,26 +83,12 @@ DepthCamera
 fromText (const std::string& text)
 {
   static const std::array<const char*, 6> names{"fx", "fy", "cx", "cy", "width", "height"};
-  DepthCamera camera;
-  std::size_t count = 0;
-  const char* begin = text.data ();
-  const char* const end = begin + text.size ();
-  for (; count < names.size (); ++count)
-  {
-    double value = 0.0;
-    const auto [rest, error] = std::from_chars (begin, end, value);
-    if (error != std::errc () || (rest != end && *rest != ','))
-      break;
-    setValue ("'" + text + "'", names[count], value, camera);
-    begin = rest == end ? end : rest + 1;
-    if (rest == end)
-    {
-      ++count;
-      break;
-    }
-  }
-  if (begin != end || text.back () == ',' || (count != 4 && count != 6))
+  const std::vector<double> numbers = numbersOf<double> (text);
+  if (numbers.size () != 4 && numbers.size () != 6)
     fail ("'" + text + "'", "neither a JSON file nor numbers as fx,fy,cx,cy or fx,fy,cx,cy,width,height");
+  DepthCamera camera;
+  for (std::size_t k = 0; k < numbers.size (); ++k)
+    setValue ("'" + text + "'", names[k], numbers[k], camera);
   return (camera);
 }
 
@@ -116,8 +101,6 @@ readDepthCamera (const std::string& text_or_file)
   std::error_code ignored;
   if (path.extension () == ".json" || std::filesystem::exists (path, ignored))
     return (fromFile (text_or_file));
-  if (text_or_file.empty ())
-    fail ("''", "neither a JSON file nor numbers as fx,fy,cx,cy or fx,fy,cx,cy,width,height");
   return (fromText (text_or_file));
 }
 

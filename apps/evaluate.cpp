@@ -8,6 +8,7 @@
 #include "evaluation/report.h"
 #include "evaluation/results.h"
 #include "parameter_flags.h"
+#include "whole_file.h"
 
 #include <pcl/segmentation/attention_segmentation.h>
 
@@ -172,13 +173,13 @@ report (const CommandLine& command_line, const std::vector<GroundTruthKind>& kin
   {
     std::ostringstream stream;
     writeObjectsCsv (stream, scores);
-    writeFile (command_line.get<std::string> ("csv"), stream.str ());
+    writeWholeFile (command_line.get<std::string> ("csv"), stream.str ());
   }
   if (command_line.has ("summary_csv"))
   {
     std::ostringstream stream;
     writeSummaryCsv (stream, all);
-    writeFile (command_line.get<std::string> ("summary_csv"), stream.str ());
+    writeWholeFile (command_line.get<std::string> ("summary_csv"), stream.str ());
   }
 }
 
@@ -197,21 +198,19 @@ main (int argc, char** argv)
   // clang-format off
   command_line.addOptions ()
     ("results", po::value<std::string> (), "folder with results to score instead of our own")
-    ("threads", po::value<int> ()->default_value (0), "number of threads, 0 for all processors; does not change the results")
     ("ground_truth", po::value<std::string> ()->default_value ("both"), "objects, parts or both")
     ("asked_for", po::value<std::string> (), ("instead, ask for every object by " + askedForChoices () +
                                              ": mean rank of the asked-for object").c_str ())
     ("csv", po::value<std::string> (), "file to write with one row an object")
     ("summary_csv", po::value<std::string> (), "file to write with all figures, one row a ground truth and category");
   // clang-format on
+  addThreadsFlag (command_line);
   addParameterFlags (command_line);
   command_line.parse (argc, argv);
   if (command_line.positional ().empty ())
     command_line.fail ("no labelled scene given");
-  if (command_line.get<int> ("threads") < 0)
-    command_line.fail ("-threads is " + std::to_string (command_line.get<int> ("threads")) + ", but must be 0 or more");
   const AttentionParameters parameters = parametersFromFlags (command_line).values;
-  const auto threads = static_cast<unsigned int> (command_line.get<int> ("threads"));
+  const unsigned int threads = threadsFromFlag (command_line);
   const std::vector<GroundTruthKind> kinds = groundTruthKinds (command_line);
   const std::vector<AskedFor> asked_for = askedForKinds (command_line);
   if (!asked_for.empty () && command_line.has ("results"))

@@ -87,7 +87,7 @@ checkPlyHeader (const std::string& path)
       finish_element ();
       if (vertices == 0)
         fail ("no points");
-      const std::uint64_t available = file_size - static_cast<std::uint64_t> (lines.tellg ());
+      const std::uint64_t available = lines.eof () ? 0 : file_size - static_cast<std::uint64_t> (lines.tellg ());
       if (needed > available + 1) // the last blank may be lacking
         fail ("truncated: the header announces " + std::to_string (vertices) + " points, more than the file can hold");
       return;

@@ -6,8 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -16,28 +14,6 @@ namespace pcl_attention
 
 namespace
 {
-
-/** \brief Numbers between commas; none if the text is anything else or their count is another. */
-template <typename Number>
-std::vector<Number>
-numbersOf (const std::string& text, std::size_t count)
-{
-  std::vector<Number> numbers;
-  const char *position = text.data (), *const end = position + text.size ();
-  while (true)
-  {
-    Number number{};
-    const auto [next, error] = std::from_chars (position, end, number);
-    if (error != std::errc () || !std::isfinite (static_cast<double> (number)))
-      return {};
-    numbers.push_back (number);
-    if (next == end)
-      return (numbers.size () == count ? numbers : std::vector<Number> ());
-    if (*next != ',')
-      return {};
-    position = next + 1;
-  }
-}
 
 [[noreturn]] void
 fail (const CommandLine& command_line, const std::string& flag, const std::string& expected)
@@ -50,8 +26,8 @@ rangeFromFlag (const CommandLine& command_line, const std::string& flag)
 {
   if (!command_line.has (flag))
     return {};
-  const auto numbers = numbersOf<float> (command_line.get<std::string> (flag), 2);
-  if (numbers.empty () || numbers[0] < 0.0f || numbers[0] > numbers[1])
+  const auto numbers = numbersOf<float> (command_line.get<std::string> (flag));
+  if (numbers.size () != 2 || numbers[0] < 0.0f || numbers[0] > numbers[1])
     fail (command_line, flag, "MIN,MAX in metres, from 0 up, the smaller one first");
   return (ValueRange{numbers[0], numbers[1]});
 }
@@ -72,8 +48,8 @@ colorFromFlag (const CommandLine& command_line)
   for (const auto& [name, color] : namedColors ())
     if (text == name)
       return (color);
-  const auto numbers = numbersOf<std::uint8_t> (text, 3);
-  if (numbers.empty ())
+  const auto numbers = numbersOf<std::uint8_t> (text);
+  if (numbers.size () != 3)
     fail (command_line, "prior_color", "R,G,B from 0 to 255, or one of " + colorNames ());
   return {numbers[0], numbers[1], numbers[2]};
 }
@@ -113,15 +89,15 @@ priorFromFlags (const CommandLine& command_line)
   }
   if (command_line.has ("prior_region"))
   {
-    const auto numbers = numbersOf<int> (command_line.get<std::string> ("prior_region"), 4);
-    if (numbers.empty () || numbers[2] < 1 || numbers[3] < 1)
+    const auto numbers = numbersOf<int> (command_line.get<std::string> ("prior_region"));
+    if (numbers.size () != 4 || numbers[2] < 1 || numbers[3] < 1)
       fail (command_line, "prior_region", "COLUMN,ROW,WIDTH,HEIGHT in pixels, at least one wide and high");
     prior.values.region = PixelRegion{numbers[0], numbers[1], numbers[2], numbers[3]};
   }
   if (command_line.has ("prior_box"))
   {
-    const auto numbers = numbersOf<float> (command_line.get<std::string> ("prior_box"), 6);
-    if (numbers.empty () || numbers[0] > numbers[3] || numbers[1] > numbers[4] || numbers[2] > numbers[5])
+    const auto numbers = numbersOf<float> (command_line.get<std::string> ("prior_box"));
+    if (numbers.size () != 6 || numbers[0] > numbers[3] || numbers[1] > numbers[4] || numbers[2] > numbers[5])
       fail (command_line, "prior_box", "X,Y,Z,X,Y,Z in metres, the smaller corner first");
     prior.values.box = Eigen::AlignedBox3f (Eigen::Vector3f (numbers[0], numbers[1], numbers[2]),
                                             Eigen::Vector3f (numbers[3], numbers[4], numbers[5]));

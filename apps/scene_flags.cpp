@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_flags.h"
 
+#include "evaluation/labelled_scene.h"
 #include "number_text.h"
-
-#include <cmath>
-#include <filesystem>
 
 namespace pcl_attention
 {
@@ -60,6 +58,16 @@ sceneOptionsFromFlags (const CommandLine& command_line)
       command_line.fail ("-max_range is " + numberText (options.max_range) + ", but must be above 0 metres");
   }
   return (options);
+}
+
+std::vector<std::string>
+listScenesToRead (const std::vector<std::string>& paths, const SceneOptions& options)
+{
+  // A folder of PNG files is one of depth images only where the camera is known: it may be one of results.
+  std::vector<std::string> extensions{".pcd", ".ply"};
+  if (options.camera.isKnown ())
+    extensions.push_back (".png");
+  return (listScenes (paths, extensions));
 }
 
 } // namespace pcl_attention

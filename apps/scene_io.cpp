@@ -195,6 +195,7 @@ organize (const SceneOptions& options, Scene& scene)
   image.sensor_origin_ = cloud.sensor_origin_;
   image.sensor_orientation_ = cloud.sensor_orientation_;
   cloud = std::move (image);
+  scene.has_labels = false;
   scene.notes.push_back ("organized by the intrinsics: " + std::to_string (points) + " points in " +
                          std::to_string (camera.width) + " x " + std::to_string (camera.height) + " pixels, " +
                          std::to_string (outside) + " outside the image, " + std::to_string (hidden) +
@@ -373,6 +374,8 @@ readPcd (const std::string& path, const SceneOptions& options, Scene& scene)
   const PcdHeader header = checkPcdHeader (path);
   checkFields (header);
   checkOrganized (header.width, header.height, options);
+  scene.has_labels = std::any_of (header.fields.begin (), header.fields.end (),
+                                  [] (const PcdHeader::Field& field) { return (field.name == "label"); });
 
   pcl::PCLPointCloud2 blob;
   const SilentPcl silent;
@@ -547,7 +550,8 @@ readScene (const std::string& path, const SceneOptions& options)
 }
 
 Scene
-makeSceneOf (const pcl::PointCloud<pcl::PointXYZRGB>::Ptr& cloud, const std::string& name, bool has_color)
+makeSceneOf (const pcl::PointCloud<pcl::PointXYZRGB>::Ptr& cloud, const std::string& name, bool has_color,
+             float max_range)
 {
   Scene scene;
   scene.path = scene.name = name;
@@ -561,6 +565,7 @@ makeSceneOf (const pcl::PointCloud<pcl::PointXYZRGB>::Ptr& cloud, const std::str
   {
     markHoles (scene);
     noteImplausible (mendSensorPose (scene), scene);
+    cutRange (max_range, scene);
   }
   catch (const std::runtime_error& error)
   {

@@ -21,6 +21,7 @@ struct Scene
   /** \brief Organized; NaN where not valid; black without colour. The sensor pose is one that sees the points. */
   pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud;
   bool has_color{false};
+  bool has_labels{false}; /**< its PCD file has a field "label", in the order of the cloud's points */
   std::size_t valid_points{0};
   Eigen::Vector4f stored_origin{Eigen::Vector4f::Zero ()}; /**< sensor pose as it stands in the file */
   Eigen::Quaternionf stored_orientation{Eigen::Quaternionf::Identity ()};
@@ -49,7 +50,9 @@ Scene readScene (const std::string& path, const SceneOptions& options = {});
 /** \brief A scene of a cloud that came another way, as from a camera, with the checks of \ref readScene.
  * \param[in] name of the scene, and its path in messages
  * \param[in] has_color whether the points have more than black for a colour
+ * \param[in] max_range see \ref SceneOptions
  * \throws std::runtime_error: one line that names the scene and what is wrong */
-Scene makeSceneOf (const pcl::PointCloud<pcl::PointXYZRGB>::Ptr& cloud, const std::string& name, bool has_color);
+Scene makeSceneOf (const pcl::PointCloud<pcl::PointXYZRGB>::Ptr& cloud, const std::string& name, bool has_color,
+                   float max_range = std::numeric_limits<float>::infinity ());
 
 } // namespace pcl_attention

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pcl_attention_segment: the objects of RGB-D scenes, in order of attention.
-#include "evaluation/labelled_scene.h"
 #include "output_folder.h"
 #include "parameter_flags.h"
 #include "prior_flags.h"
@@ -30,7 +29,7 @@ struct Settings
   fs::path output_folder;
   NamedParameters parameters;
   NamedPrior prior;
-  int threads{0};
+  unsigned int threads{0};
   SceneOptions scene_options;
 };
 
@@ -72,8 +71,7 @@ processScenes (const std::vector<std::string>& paths, const Settings& settings)
 {
   std::size_t failures = 0;
   bool no_color_said = false;
-  SceneStream scenes (paths, settings.scene_options, settings.parameters.values, settings.prior,
-                      static_cast<unsigned int> (settings.threads));
+  SceneStream scenes (paths, settings.scene_options, settings.parameters.values, settings.prior, settings.threads);
   for (std::size_t i = 0; i < paths.size (); ++i)
   {
     const std::string file_name = fs::path (paths[i]).filename ().string ();
@@ -122,9 +120,8 @@ main (int argc, char** argv)
       "as a whole: attention_points.csv, segments.json,\nmask_0001.png ..., labels.pcd, "
       "overview.png and summary.json.\n\n"
       "Exit code: 0, 1 if a scene failed, 2 for a bad command line.");
-  command_line.addOptions () ("output_dir", po::value<std::string> (), "folder for the results; made if need be") (
-      "threads", po::value<int> ()->default_value (0),
-      "number of threads, 0 for all processors; does not change the results");
+  command_line.addOptions () ("output_dir", po::value<std::string> (), "folder for the results; made if need be");
+  addThreadsFlag (command_line);
   addSceneFlags (command_line);
   addPriorFlags (command_line);
   addParameterFlags (command_line);
@@ -133,10 +130,8 @@ main (int argc, char** argv)
   Settings settings;
   settings.parameters = parametersFromFlags (command_line);
   settings.prior = priorFromFlags (command_line);
-  settings.threads = command_line.get<int> ("threads");
+  settings.threads = threadsFromFlag (command_line);
   settings.scene_options = sceneOptionsFromFlags (command_line);
-  if (settings.threads < 0)
-    command_line.fail ("-threads is " + std::to_string (settings.threads) + ", but must be 0 or more");
   if (command_line.positional ().empty ())
     command_line.fail ("no scene given");
   if (!command_line.has ("output_dir") || command_line.get<std::string> ("output_dir").empty ())
@@ -145,11 +140,7 @@ main (int argc, char** argv)
 
   try
   {
-    // A folder of PNG files is one of depth images only where the camera is known: it may be one of results.
-    std::vector<std::string> extensions{".pcd", ".ply"};
-    if (settings.scene_options.camera.isKnown ())
-      extensions.push_back (".png");
-    const std::vector<std::string> paths = listScenes (command_line.positional (), extensions);
+    const std::vector<std::string> paths = listScenesToRead (command_line.positional (), settings.scene_options);
     OutputFolder::prepareParent (settings.output_folder);
     return (exitCode (program, processScenes (paths, settings) == 0 ? EXIT_SUCCESS : EXIT_FAILURE));
   }

@@ -103,14 +103,20 @@ labelledCloud (const Scene& scene, const std::vector<std::uint32_t>& labels)
     cloud[i].label = labels[i];
   pcl::PCLPointCloud2 blob;
   pcl::toPCLPointCloud2 (cloud, blob);
-  std::ostringstream stream;
-  stream.imbue (std::locale::classic ());
-  if (pcl::PCDWriter ().writeBinaryCompressed (stream, blob, scene.stored_origin, scene.stored_orientation) != 0)
-    throw std::runtime_error (scene.path + ": its labels cannot be encoded as PCD");
-  return (stream.str ());
+  return (encodePcd (scene, blob));
 }
 
 } // namespace
+
+std::string
+encodePcd (const Scene& scene, const pcl::PCLPointCloud2& points)
+{
+  std::ostringstream stream;
+  stream.imbue (std::locale::classic ());
+  if (pcl::PCDWriter ().writeBinaryCompressed (stream, points, scene.stored_origin, scene.stored_orientation) != 0)
+    throw std::runtime_error (scene.path + ": its points cannot be encoded as PCD");
+  return (stream.str ());
+}
 
 std::string
 maskFileName (int rank)

@@ -5,6 +5,8 @@
 #include "parameter_io.h"
 #include "scene_segmentation.h"
 
+#include <pcl/PCLPointCloud2.h>
+
 #include <string>
 
 namespace pcl_attention
@@ -23,6 +25,10 @@ std::string segmentsJson (const SceneSegments& result);
 
 /** \brief Version, parameters, milliseconds and counts as JSON. */
 std::string summaryJson (const Scene& scene, const SceneSegments& result, const NamedParameters& parameters);
+
+/** \brief The content of a compressed PCD file, with the sensor pose that the scene's file has.
+ * \throws std::runtime_error that names the scene */
+std::string encodePcd (const Scene& scene, const pcl::PCLPointCloud2& points);
 
 /** \brief "mask_0001.png" */
 std::string maskFileName (int rank);

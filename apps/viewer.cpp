@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pcl_attention_viewer: see what the method sees.
-#include "evaluation/labelled_scene.h"
+#include "number_text.h"
 #include "parameter_flags.h"
+#include "scene_flags.h"
 #include "viewer_window.h"
 
 #include <pcl/pcl_config.h>
@@ -10,12 +11,9 @@
 #endif
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 
-namespace fs = std::filesystem;
 namespace po = boost::program_options;
 using namespace pcl_attention;
 
@@ -24,118 +22,39 @@ namespace
 
 const char* const program = "pcl_attention_viewer";
 
-/** \brief Numbers parted by a character, all of the text. */
-std::vector<double>
-parseNumbers (const std::string& text, char separator)
-{
-  std::vector<double> numbers;
-  const char *place = text.data (), *end = place + text.size ();
-  while (place != end)
-  {
-    double number = 0.0;
-    const auto [next, error] = std::from_chars (place, end, number);
-    if (error != std::errc () || (next != end && *next != separator) || next + 1 == end)
-      return {};
-    numbers.push_back (number);
-    place = next == end ? end : next + 1;
-  }
-  return (numbers);
-}
-
-/** \brief A PNG file, or those of a folder by name. */
-std::vector<std::string>
-listImages (const std::string& path)
-{
-  if (!fs::is_directory (path))
-    return {path};
-  std::vector<std::string> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator (path))
-    if (entry.path ().extension () == ".png")
-      files.push_back (entry.path ().string ());
-  if (files.empty ())
-    throw std::runtime_error (path + ": a folder without a PNG file");
-  std::sort (files.begin (), files.end ());
-  return (files);
-}
-
-std::vector<DepthImages>
-pairImages (const CommandLine& command_line)
-{
-  DepthImages camera;
-  if (command_line.has ("intrinsics"))
-  {
-    const std::vector<double> numbers = parseNumbers (command_line.get<std::string> ("intrinsics"), ',');
-    if (numbers.size () != 4 || numbers[0] <= 0.0 || numbers[1] <= 0.0)
-      command_line.fail ("-intrinsics takes FX,FY,CX,CY in pixels, as 525,525,319.5,239.5");
-    camera.focal_length_x = numbers[0];
-    camera.focal_length_y = numbers[1];
-    camera.center_x = numbers[2];
-    camera.center_y = numbers[3];
-  }
-  camera.depth_scale = command_line.get<double> ("depth_scale");
-  if (!(camera.depth_scale > 0.0 && camera.depth_scale <= 1.0))
-    command_line.fail ("-depth_scale takes metres of one unit, above 0 and up to 1");
-  const std::vector<std::string> depth = listImages (command_line.get<std::string> ("depth"));
-  std::vector<std::string> color;
-  if (command_line.has ("color"))
-    color = listImages (command_line.get<std::string> ("color"));
-  if (!color.empty () && color.size () != depth.size ())
-    throw std::runtime_error (command_line.get<std::string> ("color") + ": " + std::to_string (color.size ()) +
-                              " colour images for " + std::to_string (depth.size ()) + " of depth");
-  std::vector<DepthImages> images;
-  for (std::size_t k = 0; k < depth.size (); ++k)
-  {
-    camera.depth = depth[k];
-    camera.color = color.empty () ? "" : color[k];
-    images.push_back (camera);
-  }
-  return (images);
-}
-
 std::unique_ptr<SceneSequence>
-openScenes (const CommandLine& command_line)
+openScenes (const CommandLine& command_line, const SceneOptions& options)
 {
-  const auto frame_rate = static_cast<float> (command_line.get<double> ("frame_rate"));
-  if (!(frame_rate > 0.0f && frame_rate <= 1000.0f))
-    command_line.fail ("-frame_rate takes frames per second, above 0 and up to 1000");
-  const bool has_files = !command_line.positional ().empty ();
-  if (has_files + command_line.has ("depth") + command_line.has ("camera") > 1)
-    command_line.fail ("give scenes, -depth or -camera, not several of them");
-  if (command_line.has ("color") && !command_line.has ("depth"))
-    command_line.fail ("-color goes with -depth");
-  if (command_line.has ("camera"))
+  if (!command_line.has ("camera"))
   {
-#ifdef HAVE_OPENNI2
-    try
-    {
-      return (std::make_unique<SceneSequence> (std::make_unique<pcl::io::OpenNI2Grabber> (), "camera"));
-    }
-    catch (const std::exception& error)
-    {
-      throw std::runtime_error (std::string ("no OpenNI2 camera: ") + error.what ());
-    }
-#else
-    throw std::runtime_error ("this PCL was built without OpenNI2");
-#endif
+    const std::vector<std::string>& paths = command_line.positional ();
+    return (std::make_unique<SceneSequence> (paths.empty () ? paths : listScenesToRead (paths, options), options,
+                                             static_cast<float> (command_line.get<double> ("frame_rate"))));
   }
-  if (command_line.has ("depth"))
-    return (std::make_unique<SceneSequence> (pairImages (command_line), frame_rate));
-  const int image_width = command_line.get<int> ("image_width");
-  if (image_width < 0)
-    command_line.fail ("-image_width is " + std::to_string (image_width) + ", but must be 0 or more");
-  return (std::make_unique<SceneSequence> (
-      has_files ? listScenes (command_line.positional ()) : std::vector<std::string> (), image_width, frame_rate));
+#ifdef HAVE_OPENNI2
+  try
+  {
+    return (
+        std::make_unique<SceneSequence> (std::make_unique<pcl::io::OpenNI2Grabber> (), "camera", options.max_range));
+  }
+  catch (const std::exception& error)
+  {
+    throw std::runtime_error (std::string ("no OpenNI2 camera: ") + error.what ());
+  }
+#else
+  throw std::runtime_error ("this PCL was built without OpenNI2");
+#endif
 }
 
 WindowSettings
 windowSettings (const CommandLine& command_line)
 {
   WindowSettings settings;
-  const std::vector<double> size = parseNumbers (command_line.get<std::string> ("size"), 'x');
+  const std::vector<int> size = numbersOf<int> (command_line.get<std::string> ("size"), 'x');
   if (size.size () != 2 || size[0] < 320 || size[1] < 240 || size[0] > 16384 || size[1] > 16384)
     command_line.fail ("-size takes WIDTHxHEIGHT in pixels, from 320x240 to 16384x16384");
-  settings.width = static_cast<int> (size[0]);
-  settings.height = static_cast<int> (size[1]);
+  settings.width = size[0];
+  settings.height = size[1];
   const std::string& view = command_line.get<std::string> ("view");
   const auto name = std::find (viewNames ().begin (), viewNames ().end (), view);
   if (name != viewNames ().end ())
@@ -186,10 +105,11 @@ switchOn (const CommandLine& command_line, ViewerSwitches& switches)
 }
 
 int
-runViewer (const CommandLine& command_line, ViewerModel& model, const WindowSettings& settings)
+runViewer (const CommandLine& command_line, ViewerModel& model, const WindowSettings& settings,
+           const SceneOptions& options, unsigned int threads)
 {
-  const std::unique_ptr<SceneSequence> scenes = openScenes (command_line);
-  AttentionWorker worker (static_cast<unsigned int> (command_line.get<int> ("threads")));
+  const std::unique_ptr<SceneSequence> scenes = openScenes (command_line, options);
+  AttentionWorker worker (threads);
   const bool screenshot = command_line.has ("screenshot");
   if (scenes->size () > 0)
   {
@@ -237,41 +157,44 @@ main (int argc, char** argv)
       std::string (program) + " [SCENE...] [flags]",
       "Shows what is found in RGB-D scenes, and why: saliency, attention points, patches, objects, growth step by "
       "step.\n"
-      "SCENE: organized PCD files, or folders with them; without any a rendered scene. h shows the keys.\n\n"
+      "SCENE: organized PCD or PLY files, unorganized ones or depth images (16-bit PNG) with -intrinsics, or folders\n"
+      "with them; without any a rendered scene. h shows the keys.\n\n"
       "Exit code: 0, 1 if a scene cannot be read or there is no display, 2 for a bad command line.");
-  command_line.addOptions () ("depth", po::value<std::string> (),
-                              "16-bit PNG file of depth, or a folder of them, instead of SCENE") (
-      "color", po::value<std::string> (), "the colours to -depth, registered: 8-bit PNG, or as many of them") (
-      "intrinsics", po::value<std::string> (), "FX,FY,CX,CY of the camera of -depth, pixels; without it a Kinect's") (
-      "depth_scale", po::value<double> ()->default_value (0.001, "0.001"), "metres of one unit of -depth") (
-      "camera", "an OpenNI2 camera instead of SCENE") ("play", "play the scenes as a sequence") (
-      "frame_rate", po::value<double> ()->default_value (10.0, "10"), "frames per second of -play") (
-      "screenshot", po::value<std::string> (), "save the window as this PNG file and end") (
-      "view", po::value<std::string> ()->default_value ("all"),
-      "color | saliency | points | patches | segments: one large view; all") (
-      "size", po::value<std::string> ()->default_value ("1280x800"),
-      "of the window, pixels") ("show", po::value<std::string> ()->default_value (""),
-                                "what is switched on besides: normals,hull,convexity,errors") (
-      "object", po::value<int> ()->default_value (0), "with -screenshot: the object that is selected, 0: none") (
-      "step", po::value<int> ()->default_value (-1), "with -screenshot: the step of its growth, -1: the whole object") (
-      "output_dir", po::value<std::string> ()->default_value ("attention_viewer"),
-      "folder for what is saved") ("threads", po::value<int> ()->default_value (0),
-                                   "number of threads, 0 for all processors; does not change the results") (
-      "image_width", po::value<int> ()->default_value (0),
-      "columns of an image that a PCD file holds as one row, in pixels; 0: such a file is an error");
+  // clang-format off
+  command_line.addOptions ()
+    ("camera", "an OpenNI2 camera instead of SCENE")
+    ("play", "play the scenes as a sequence")
+    ("frame_rate", po::value<double> ()->default_value (10.0, "10"), "frames per second of -play")
+    ("screenshot", po::value<std::string> (), "save the window as this PNG file and end")
+    ("view", po::value<std::string> ()->default_value ("all"),
+     "color | saliency | points | patches | segments: one large view; all")
+    ("size", po::value<std::string> ()->default_value ("1280x800"), "of the window, pixels")
+    ("show", po::value<std::string> ()->default_value (""),
+     "what is switched on besides: normals,hull,convexity,errors")
+    ("object", po::value<int> ()->default_value (0), "with -screenshot: the object that is selected, 0: none")
+    ("step", po::value<int> ()->default_value (-1), "with -screenshot: the step of its growth, -1: the whole object")
+    ("output_dir", po::value<std::string> ()->default_value ("attention_viewer"), "folder for what is saved");
+  // clang-format on
+  addThreadsFlag (command_line);
+  addSceneFlags (command_line);
   addParameterFlags (command_line);
   command_line.parse (argc, argv);
 
   ViewerModel model (parametersFromFlags (command_line));
   const WindowSettings settings = windowSettings (command_line);
+  const SceneOptions options = sceneOptionsFromFlags (command_line);
+  const unsigned int threads = threadsFromFlag (command_line);
   switchOn (command_line, model.switches);
-  if (command_line.get<int> ("threads") < 0)
-    command_line.fail ("-threads is " + std::to_string (command_line.get<int> ("threads")) + ", but must be 0 or more");
+  const double frame_rate = command_line.get<double> ("frame_rate");
+  if (!(frame_rate > 0.0 && frame_rate <= 1000.0))
+    command_line.fail ("-frame_rate takes frames per second, above 0 and up to 1000");
+  if (command_line.has ("camera") && !command_line.positional ().empty ())
+    command_line.fail ("give scenes or -camera, not both");
   try
   {
     if (const std::string problem = checkDisplay (); !problem.empty ())
       throw std::runtime_error (problem);
-    return (runViewer (command_line, model, settings));
+    return (runViewer (command_line, model, settings, options, threads));
   }
   catch (const std::exception& error)
   {

@@ -4,14 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
-#include <unistd.h>
-
-namespace fs = std::filesystem;
 
 namespace pcl_attention
 {
@@ -175,25 +169,6 @@ writeObjectsCsv (std::ostream& stream, const std::vector<SceneScore>& scenes)
         stream << ',' << value (number);
       stream << '\n';
     }
-  }
-}
-
-void
-writeFile (const std::string& path, const std::string& content)
-{
-  // beside the file, so that the renaming stays on one file system
-  const std::string temporary = path + ".part" + std::to_string (getpid ());
-  std::ofstream stream (temporary, std::ios::binary);
-  stream << content;
-  stream.close ();
-  std::error_code error;
-  if (stream)
-    fs::rename (temporary, path, error);
-  if (!stream || error)
-  {
-    std::error_code ignored;
-    fs::remove (temporary, ignored);
-    throw std::runtime_error (path + ": cannot be written");
   }
 }
 

@@ -20,8 +20,4 @@ void writeSummaryCsv (std::ostream& stream, const std::vector<Summary>& summarie
 /** \brief One row an object (or part) of every scene. */
 void writeObjectsCsv (std::ostream& stream, const std::vector<SceneScore>& scenes);
 
-/** \brief Write a file whole or not at all: into a temporary file beside it, which is then renamed.
- * \throws std::runtime_error that names the path */
-void writeFile (const std::string& path, const std::string& content);
-
 } // namespace pcl_attention

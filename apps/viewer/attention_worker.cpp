@@ -202,7 +202,8 @@ AttentionWorker::answer (const AttentionRequest& request, AttentionResults& resu
   results.own_segments.clear ();
   int rank = static_cast<int> (results.segments.size ());
   std::vector<AttentionSegment> all = results.segments;
-  for (const AttentionPoint& point : request.own_points)
+  const bool fixations_apply = request.scene == results.scene;
+  for (const AttentionPoint& point : fixations_apply ? request.own_points : std::vector<AttentionPoint> ())
   {
     AttentionSegment segment;
     if (pipeline_.segmentAt (point, segment))
@@ -229,35 +230,31 @@ AttentionWorker::findObjects (const AttentionRequest& request, AttentionResults&
       throw Cancelled ();
     publish (results);
   };
-  const auto stage = [&] (auto& published, const auto& before, bool is_kept, const auto& compute) {
+  const auto stage = [&] (auto& published, auto& before, bool is_kept, const auto& compute) {
     using Value = typename std::decay_t<decltype (published)>::element_type;
     if (is_kept && before)
       published = before;
     else
     {
       published = std::make_shared<Value> (compute ());
+      before = published; // the pipeline keeps it even if the request is given up here
       checkpoint ();
     }
   };
-  // What is kept of the scene is remembered stage by stage: a request that is given up has still run its first stages.
   stage (results.normals, last_.normals, kept.normals > 0.0,
          [&] () -> const NormalImage& { return (pipeline_.normals ()); });
-  last_.normals = results.normals;
   stage (results.saliency, last_.saliency, kept.saliency > 0.0,
          [&] () -> const SaliencyMaps& { return (pipeline_.saliency ()); });
-  last_.saliency = results.saliency;
   stage (results.attention_points, last_.attention_points, kept.attention_points > 0.0,
          [&] () -> const AttentionPoints& { return (pipeline_.attentionPoints ()); });
-  last_.attention_points = results.attention_points;
   stage (results.patches, last_.patches, kept.patches > 0.0, [&] () -> const PlanarPatches& {
     const PlanarPatches& patches = pipeline_.patches ();
     results.supporting_planes = pipeline_.supportingPlanes ();
+    last_.patch_graph.reset (); // of the patches before
     return (patches);
   });
-  last_.patches = results.patches;
   stage (results.patch_graph, last_.patch_graph, kept.patches > 0.0,
          [&] () -> const PatchGraph& { return (pipeline_.patchGraph ()); });
-  last_.patch_graph = results.patch_graph;
   results.supporting_planes = pipeline_.supportingPlanes ();
   last_.parameters = request.parameters;
 

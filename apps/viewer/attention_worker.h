@@ -21,6 +21,7 @@ struct AttentionRequest
   std::function<ViewerScenePtr ()>
       load; /**< reads another scene first, on the worker's thread; may throw; empty: none */
   AttentionParameters parameters;
+  ViewerScenePtr scene;                   /**< that the user's fixations lie in: in another one they are left out */
   std::vector<AttentionPoint> own_points; /**< the user's fixations */
 };
 

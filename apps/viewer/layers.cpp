@@ -2,6 +2,7 @@
 #include "layers.h"
 
 #include "overview_image.h"
+#include "segment_writer.h"
 
 #include <pcl/common/colors.h>
 
@@ -56,19 +57,6 @@ patchColor (int label)
 {
   const pcl::RGB color = pcl::GlasbeyLUT::at (static_cast<unsigned int> (label) % pcl::GlasbeyLUT::size ());
   return {color.r, color.g, color.b};
-}
-
-/** \brief 0 or the rank of the first object that claims the pixel. */
-Image<int>
-ranksOf (const ViewerModel& model)
-{
-  const OrganizedCloud& cloud = model.results ().scene->cloud;
-  Image<int> ranks (cloud.width, cloud.height, 0);
-  for (const AttentionSegment& segment : model.segments ())
-    for (const pcl::index_t index : segment.indices)
-      if (ranks[index] == 0)
-        ranks[index] = segment.rank;
-  return (ranks);
 }
 
 void
@@ -140,11 +128,10 @@ paintPatches (const ViewerModel& model, Image<Color>& picture)
 }
 
 void
-paintErrors (const ViewerModel& model, const Image<int>& ranks, Image<Color>& picture)
+paintErrors (const ViewerModel& model, const std::vector<std::uint32_t>& ranks, Image<Color>& picture)
 {
   const GroundTruth& truth = *model.results ().scene->truth;
   std::vector<int> region_of_rank (model.segments ().size () + 1, GroundTruth::invalid);
-  std::vector<std::uint8_t> attended (truth.regions.size (), 0);
   for (const AttentionSegment& segment : model.segments ())
   {
     const AttentionPoint& point = segment.attention_point;
@@ -166,7 +153,7 @@ paintErrors (const ViewerModel& model, const Image<int>& ranks, Image<Color>& pi
 void
 paintSegments (const ViewerModel& model, Image<Color>& picture)
 {
-  const Image<int> ranks = ranksOf (model);
+  const std::vector<std::uint32_t> ranks = segmentLabels (model.results ().scene->scene, model.segments ());
   if (model.switches.errors && model.results ().scene->truth)
   {
     paintErrors (model, ranks, picture);
@@ -182,7 +169,7 @@ paintSegments (const ViewerModel& model, Image<Color>& picture)
     if (selected)
       picture[i] = inside[i] ? blend (picture[i], segmentColor (selected->rank), 0.35f) : grey (picture[i], 0.45f);
     else
-      picture[i] = ranks[i] > 0 ? blend (picture[i], segmentColor (ranks[i]), 0.4f) : grey (picture[i], 0.5f);
+      picture[i] = ranks[i] > 0 ? blend (picture[i], segmentColor (static_cast<int> (ranks[i])), 0.4f) : grey (picture[i], 0.5f);
   }
 }
 

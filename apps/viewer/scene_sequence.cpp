@@ -1,59 +1,126 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_sequence.h"
 
-#include "pcd_header.h"
-
 #include <pcl/common/io.h>
-#include <pcl/io/image_grabber.h>
-#include <pcl/io/pcd_grabber.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <stdexcept>
+#include <thread>
 
 namespace pcl_attention
 {
 
-SceneSequence::SceneSequence (const std::vector<std::string>& files, int image_width, float frame_rate)
-    : name_ ("frame")
+namespace
+{
+
+/** \brief Files as a camera would give them, over and over. It only says that one is due: those that nobody takes need
+ * not be read, and those that are taken are read like any scene, which PCL's own grabbers of files do not. */
+class FileGrabber : public pcl::Grabber
+{
+public:
+  using Callback = void (const SceneLoader&);
+
+  FileGrabber (const std::vector<SceneLoader>& files, float frame_rate)
+      : files_ (files), frame_rate_ (frame_rate), signal_ (*createSignal<Callback> ())
+  {
+  }
+
+  ~FileGrabber () override { FileGrabber::stop (); }
+
+  void
+  start () override
+  {
+    stop ();
+    ends_ = false;
+    thread_ = std::thread ([this] { run (); });
+  }
+
+  void
+  stop () override
+  {
+    {
+      const std::lock_guard<std::mutex> lock (mutex_);
+      ends_ = true;
+    }
+    changed_.notify_all ();
+    if (thread_.joinable ())
+      thread_.join ();
+  }
+
+  bool
+  isRunning () const override
+  {
+    return (thread_.joinable ());
+  }
+
+  std::string
+  getName () const override
+  {
+    return ("FileGrabber");
+  }
+
+  float
+  getFramesPerSecond () const override
+  {
+    return (frame_rate_);
+  }
+
+private:
+  void
+  run ()
+  {
+    using Clock = std::chrono::steady_clock;
+    const auto period = std::chrono::duration_cast<Clock::duration> (std::chrono::duration<float> (1.0f / frame_rate_));
+    auto due = Clock::now ();
+    std::unique_lock<std::mutex> lock (mutex_);
+    for (std::size_t k = 0; !ends_; k = (k + 1) % files_.size ())
+    {
+      signal_ (files_[k]);
+      due += period;
+      changed_.wait_until (lock, due, [this] { return (ends_); });
+    }
+  }
+
+  const std::vector<SceneLoader> files_;
+  const float frame_rate_;
+  boost::signals2::signal<Callback>& signal_;
+  std::mutex mutex_; /**< of what follows */
+  std::condition_variable changed_;
+  bool ends_{false};
+  std::thread thread_;
+};
+
+ViewerScenePtr
+sceneOfFrame (const pcl::PointCloud<pcl::PointXYZRGBA>& frame, const std::string& name, float max_range)
+{
+  const pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZRGB>);
+  pcl::copyPointCloud (frame, *cloud);
+  const bool has_color = std::any_of (cloud->begin (), cloud->end (), [] (const pcl::PointXYZRGB& point) {
+    return (point.r != 0 || point.g != 0 || point.b != 0);
+  });
+  return (makeViewerScene (makeSceneOf (cloud, name, has_color, max_range)));
+}
+
+} // namespace
+
+SceneSequence::SceneSequence (const std::vector<std::string>& files, const SceneOptions& options, float frame_rate)
+    : frame_rate_ (frame_rate)
 {
   for (const std::string& file : files)
-    loaders_.emplace_back ([=] { return (readViewerScene (file, image_width)); });
+    loaders_.emplace_back ([=] { return (readViewerScene (file, options)); });
   if (files.empty ())
     loaders_.emplace_back (renderViewerScene);
-  make_grabber_ = [=] () -> std::unique_ptr<pcl::Grabber> {
-    if (files.size () < 2)
-      throw std::runtime_error ("nothing to play: open a folder, or several scenes");
-    // PCL's reader trusts a damaged file.
-    for (const std::string& file : files)
-      try
-      {
-        checkPcdHeader (file);
-      }
-      catch (const std::exception& error)
-      {
-        throw std::runtime_error (file + ": " + error.what ());
-      }
-    return (std::make_unique<pcl::PCDGrabber<pcl::PointXYZRGBA>> (files, frame_rate, true));
-  };
 }
 
-SceneSequence::SceneSequence (const std::vector<DepthImages>& images, float frame_rate)
-    : name_ ("frame"), upside_down_ (true)
+SceneSequence::SceneSequence (std::unique_ptr<pcl::Grabber> grabber, const std::string& name, float max_range)
+    : grabber_ (std::move (grabber))
 {
-  for (const DepthImages& pair : images)
-    loaders_.emplace_back ([=] { return (readDepthImages (pair)); });
-  make_grabber_ = [=] () -> std::unique_ptr<pcl::Grabber> {
-    if (images.size () < 2)
-      throw std::runtime_error ("nothing to play: open folders of images");
-    return (makeImageGrabber (images, frame_rate));
-  };
-}
-
-SceneSequence::SceneSequence (std::unique_ptr<pcl::Grabber> grabber, const std::string& name)
-    : grabber_ (std::move (grabber)), name_ (name)
-{
-  grabber_->registerCallback<void (const Frame::ConstPtr&)> (
-      [this] (const Frame::ConstPtr& frame) { receive (frame); });
+  using Frame = pcl::PointCloud<pcl::PointXYZRGBA>;
+  grabber_->registerCallback<void (const Frame::ConstPtr&)> ([=] (const Frame::ConstPtr& frame) {
+    receive ([=] { return (sceneOfFrame (*frame, name, max_range)); });
+  });
 }
 
 SceneSequence::~SceneSequence ()
@@ -62,7 +129,7 @@ SceneSequence::~SceneSequence ()
     grabber_->stop ();
 }
 
-std::function<ViewerScenePtr ()>
+SceneLoader
 SceneSequence::move (int direction)
 {
   if (loaders_.empty ())
@@ -75,21 +142,20 @@ SceneSequence::move (int direction)
 void
 SceneSequence::play (bool on)
 {
+  if (isPlaying ())
+    grabber_->stop ();
   if (!on)
-  {
-    if (isPlaying ())
-      grabber_->stop ();
     return;
-  }
-  if (make_grabber_)
+  if (loaders_.size () == 1)
+    throw std::runtime_error ("nothing to play: open a folder, or several scenes");
+  if (!loaders_.empty ())
   {
-    grabber_ = make_grabber_ ();
-    grabber_->registerCallback<void (const Frame::ConstPtr&)> (
-        [this] (const Frame::ConstPtr& frame) { receive (frame); });
+    grabber_ = std::make_unique<FileGrabber> (loaders_, frame_rate_);
+    grabber_->registerCallback<FileGrabber::Callback> ([this] (const SceneLoader& frame) { receive (frame); });
   }
   {
     const std::lock_guard<std::mutex> lock (mutex_);
-    newest_.reset ();
+    newest_ = nullptr;
     dropped_ = 0;
   }
   taken_ = 0;
@@ -97,34 +163,23 @@ SceneSequence::play (bool on)
 }
 
 void
-SceneSequence::receive (const Frame::ConstPtr& frame)
+SceneSequence::receive (const SceneLoader& frame)
 {
   const std::lock_guard<std::mutex> lock (mutex_);
   dropped_ += newest_ != nullptr;
   newest_ = frame;
 }
 
-std::function<ViewerScenePtr ()>
+SceneLoader
 SceneSequence::takeFrame ()
 {
-  Frame::ConstPtr frame;
+  SceneLoader frame;
   {
     const std::lock_guard<std::mutex> lock (mutex_);
     frame.swap (newest_);
   }
-  if (!frame)
-    return (nullptr);
-  const std::string name = name_ + ' ' + std::to_string (++taken_);
-  return ([frame, name, upside_down = upside_down_] {
-    const pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZRGB>);
-    pcl::copyPointCloud (*frame, *cloud);
-    if (upside_down)
-      turnUpright (*cloud);
-    const bool has_color = std::any_of (cloud->begin (), cloud->end (), [] (const pcl::PointXYZRGB& point) {
-      return (point.r != 0 || point.g != 0 || point.b != 0);
-    });
-    return (makeViewerScene (makeSceneOf (cloud, name, has_color)));
-  });
+  taken_ += frame != nullptr;
+  return (frame);
 }
 
 std::size_t

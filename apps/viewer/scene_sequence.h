@@ -14,22 +14,23 @@
 namespace pcl_attention
 {
 
+/** \brief What reads or makes a scene, on any thread. It throws std::runtime_error of one line where it cannot. */
+using SceneLoader = std::function<ViewerScenePtr ()>;
+
 /** \brief The scenes that the viewer was opened with: one after the other at the user's pace, or played through
  * pcl::Grabber's interface, from files or from a camera. */
 class SceneSequence
 {
 public:
-  /** \brief Organized PCD files. No file at all stands for the rendered scene.
+  /** \brief Files that \ref readScene takes. No file at all stands for the rendered scene.
    * \param[in] frame_rate frames per second when playing */
-  SceneSequence (const std::vector<std::string>& files, int image_width, float frame_rate);
-
-  /** \brief Depth images with their colours, all of one camera. */
-  SceneSequence (const std::vector<DepthImages>& images, float frame_rate);
+  SceneSequence (const std::vector<std::string>& files, const SceneOptions& options, float frame_rate);
 
   /** \brief A camera.
    * \param[in] grabber that gives clouds of pcl::PointXYZRGBA
-   * \param[in] name of what it sees */
-  SceneSequence (std::unique_ptr<pcl::Grabber> grabber, const std::string& name);
+   * \param[in] name of what it sees
+   * \param[in] max_range see \ref SceneOptions */
+  SceneSequence (std::unique_ptr<pcl::Grabber> grabber, const std::string& name, float max_range);
 
   ~SceneSequence ();
 
@@ -48,11 +49,11 @@ public:
   }
 
   /** \brief Go to the next or previous one, at the ends on to the other end.
-   * \return what reads it, on any thread */
-  std::function<ViewerScenePtr ()> move (int direction);
+   * \return what reads it */
+  SceneLoader move (int direction);
 
-  /** \brief Start or stop playing.
-   * \throws std::runtime_error where there is nothing to play, or a file that PCL's grabber would fail on */
+  /** \brief Start or stop playing, from the first scene on.
+   * \throws std::runtime_error where there is nothing to play */
   void play (bool on);
 
   bool
@@ -63,7 +64,7 @@ public:
 
   /** \brief Take the newest frame. Those that came before it and were not taken are dropped.
    * \return what makes a scene of it; empty when none has come since */
-  std::function<ViewerScenePtr ()> takeFrame ();
+  SceneLoader takeFrame ();
 
   /** \brief Frames that came and were not taken, since playing was started. */
   std::size_t droppedFrames () const;
@@ -75,18 +76,14 @@ public:
   }
 
 private:
-  using Frame = pcl::PointCloud<pcl::PointXYZRGBA>;
+  void receive (const SceneLoader& frame);
 
-  void receive (const Frame::ConstPtr& frame);
-
-  std::vector<std::function<ViewerScenePtr ()>> loaders_;
-  std::function<std::unique_ptr<pcl::Grabber> ()> make_grabber_;
+  std::vector<SceneLoader> loaders_;
+  float frame_rate_{0.0f};
   std::unique_ptr<pcl::Grabber> grabber_;
-  std::string name_;
-  bool upside_down_{false}; /**< see \ref turnUpright */
   std::size_t current_{0}, taken_{0};
   mutable std::mutex mutex_; /**< of what follows: frames come on the grabber's thread */
-  Frame::ConstPtr newest_;
+  SceneLoader newest_;
   std::size_t dropped_{0};
 };
 

@@ -4,13 +4,12 @@
 #include "segment_writer.h"
 #include "whole_file.h"
 
+#include <pcl/common/io.h>
 #include <pcl/conversions.h>
-#include <pcl/io/pcd_io.h>
 
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 
 namespace fs = std::filesystem;
@@ -57,13 +56,9 @@ saveSelectedObject (const ViewerModel& model, const std::string& folder)
     pcl::copyPointCloud (model.selectedCloud (), points);
     pcl::toPCLPointCloud2 (points, blob);
   }
-  std::ostringstream stream;
-  stream.imbue (std::locale::classic ());
   OutputFolder::prepareParent (folder);
   const std::string path = numberedPath (folder, scene.name + "_object", segment->rank, "pcd");
-  if (pcl::PCDWriter ().writeBinaryCompressed (stream, blob, scene.stored_origin, scene.stored_orientation) != 0)
-    throw std::runtime_error (path + ": the object cannot be encoded as PCD");
-  writeWholeFile (path, stream.str ());
+  writeWholeFile (path, encodePcd (scene, blob));
   return (path);
 }
 

@@ -111,16 +111,23 @@ ViewerModel::setResults (const AttentionResultsPtr& results)
     select_own_ = false;
   }
   bool all_found = true;
-  // Results may answer an older request, with fewer fixations than there are by now.
-  for (std::size_t k = std::min (results->own_segments.size (), own_points_.size ()); k-- > 0 && !other_scene;)
-    if (results->own_segments[k].indices.empty ())
-    {
-      own_points_.erase (own_points_.begin () + static_cast<std::ptrdiff_t> (k));
-      all_found = false;
-      select_own_ = false;
-    }
+  // Results may answer an older request, with other fixations than there are by now.
+  const auto is_at = [] (const AttentionSegment& segment, const AttentionPoint& point) {
+    return (segment.attention_point.column == point.column && segment.attention_point.row == point.row);
+  };
+  for (const AttentionSegment& segment : results->own_segments)
+  {
+    const auto point = std::find_if (own_points_.begin (), own_points_.end (),
+                                     [&] (const AttentionPoint& own) { return (is_at (segment, own)); });
+    if (!segment.indices.empty () || point == own_points_.end ())
+      continue;
+    select_own_ = select_own_ && point + 1 != own_points_.end ();
+    own_points_.erase (point);
+    all_found = false;
+  }
   collectSegments ();
-  if (results->complete && select_own_ && results->own_segments.size () == own_points_.size ())
+  if (results->complete && select_own_ && !results->own_segments.empty () &&
+      is_at (results->own_segments.back (), own_points_.back ()))
   {
     selection_ = static_cast<int> (segments_.size ()) - 1;
     step_ = -1;
@@ -159,6 +166,7 @@ ViewerModel::request () const
 {
   AttentionRequest request;
   request.parameters = parameters_.values;
+  request.scene = results_->scene;
   request.own_points = own_points_;
   return (request);
 }

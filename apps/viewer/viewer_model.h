@@ -131,11 +131,11 @@ public:
    * After the last step the object is whole. */
   void stepNext (int direction);
 
-  /** \brief How many steps of the growth are shown; -1: the whole object. */
+  /** \brief How many steps of the growth of the selected object are shown; -1: the whole object, or none is selected. */
   int
   step () const
   {
-    return (step_);
+    return (selected () ? step_ : -1);
   }
 
   /** \brief The growth at the step that is shown; only where \ref step is not negative. */

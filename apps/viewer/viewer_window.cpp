@@ -158,6 +158,9 @@ struct ViewerWindow::Parts
 
   Parts (const WindowSettings& window_settings, ViewerModel& viewer_model, AttentionWorker& attention_worker,
          SceneSequence& scene_sequence);
+  ~Parts ();
+  Parts (const Parts&) = delete;
+  Parts& operator= (const Parts&) = delete;
 
   void run ();
   void picture (const std::string& path);
@@ -313,6 +316,13 @@ ViewerWindow::Parts::Parts (const WindowSettings& window_settings, ViewerModel& 
   layout ();
 }
 
+ViewerWindow::Parts::~Parts ()
+{
+  // Once closed, VTK's window and its interactor would keep each other, and with them all that was shown.
+  sliders.reset ();
+  window->SetInteractor (nullptr);
+}
+
 // ---- What happens ----
 
 bool
@@ -340,7 +350,6 @@ ViewerWindow::Parts::run ()
       {
         AttentionRequest request = model.request ();
         request.load = load;
-        request.own_points.clear ();
         worker.submit (std::move (request));
       }
     takeResults ();
@@ -411,7 +420,6 @@ ViewerWindow::Parts::openScene (int direction)
   }
   AttentionRequest request = model.request ();
   request.load = scenes.move (direction);
-  request.own_points.clear ();
   worker.submit (std::move (request));
   opening = true;
   say ("Scene " + std::to_string (scenes.current () + 1) + " of " + std::to_string (scenes.size ()) + " ...");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files.h"
 #include "output_folder.h"
+#include "whole_file.h"
 
 #include <csignal>
 #include <fcntl.h>
@@ -145,6 +146,20 @@ TEST (OutputFolder, isOldOrNewWhenTheProcessIsKilled)
     OutputFolder::prepareParent (folder / "");
     EXPECT_EQ (test::namesIn (folder / ""), Names{"scene"});
   }
+}
+
+TEST (WholeFile, isReplacedAsAWholeOrLeft)
+{
+  const test::TemporaryFolder folder;
+  writeWholeFile (folder / "a.csv", "old");
+  writeWholeFile (folder / "a.csv", "new");
+  EXPECT_EQ (test::readText (folder / "a.csv"), "new");
+  EXPECT_EQ (errorOf ([&] { writeWholeFile (folder / "none/a.csv", ""); }),
+             (folder / "none/a.csv") + ": cannot be written: No such file or directory");
+  std::filesystem::create_directories (folder / "folder/full");
+  EXPECT_EQ (errorOf ([&] { writeWholeFile (folder / "folder", ""); }).find ((folder / "folder") + ": cannot be written"),
+             0u);
+  EXPECT_EQ (test::namesIn (folder / ""), (Names{"a.csv", "folder"})) << "nothing temporary is left";
 }
 
 } // namespace

@@ -238,6 +238,8 @@ TEST_F (SceneInputs, SaysWhatIsWrongWithAPlyFile)
              "truncated: the header announces 2000000000 elements, more than the file can hold");
   EXPECT_EQ (errorOf (begin + "2\n" + end + "123456789012"),
              "truncated: the header announces 2 points, more than the file can hold");
+  EXPECT_EQ (errorOf (begin + "1\n" + end.substr (0, end.size () - 1)),
+             "truncated: the header announces 1 points, more than the file can hold");
   EXPECT_EQ (errorOf (begin + "1\nproperty half x\nend_header\n"), "damaged PLY header: unknown type 'half'");
   EXPECT_EQ (errorOf (begin + "1\nproperty float x\nproperty float y\nend_header\n12345678"),
              "no property z: a cloud with the properties x, y and z is needed");
@@ -367,7 +369,7 @@ TEST_F (SceneInputs, ReadsTheCameraFromTextOrJson)
     return (std::string ());
   };
   for (const char* text : {"", "525", "525,525,319.5", "525,525,319.5,239.5,", "525,525,319.5,239.5,640", "525;525;1;1",
-                           "525,525,319.5,239.5,640,480,1", "a,b,c,d"})
+                           "525,525,319.5,239.5,640,480,1", "a,b,c,d", "nan,525,319.5,239.5", "525,525,inf,239.5"})
     EXPECT_EQ (errorOf (text), "'" + std::string (text) +
                                    "': neither a JSON file nor numbers as fx,fy,cx,cy or fx,fy,cx,cy,width,height");
   EXPECT_EQ (errorOf ("0,525,319.5,239.5"), "'0,525,319.5,239.5': fx is 0, but must be above 0, in pixels");

@@ -54,19 +54,5 @@ TEST (Report, tables)
   EXPECT_EQ (stream.str ().find ("nan"), std::string::npos);
 }
 
-TEST (WriteFile, replacesTheWholeFileOrLeavesIt)
-{
-  const test::TemporaryFolder folder;
-  writeFile (folder / "a.csv", "old");
-  writeFile (folder / "a.csv", "new");
-  EXPECT_EQ (test::readText (folder / "a.csv"), "new");
-  EXPECT_EQ (test::messageOf ([&] { writeFile (folder / "none/a.csv", ""); }),
-             (folder / "none/a.csv") + ": cannot be written");
-  std::filesystem::create_directories (folder / "folder/full");
-  EXPECT_EQ (test::messageOf ([&] { writeFile (folder / "folder", ""); }), (folder / "folder") + ": cannot be written");
-  const auto files = std::filesystem::directory_iterator (folder / "");
-  EXPECT_EQ (std::distance (begin (files), end (files)), 2); // nothing temporary is left
-}
-
 } // namespace
 } // namespace pcl_attention

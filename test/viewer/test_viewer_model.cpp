@@ -14,6 +14,7 @@
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 #include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
 #include <pcl/io/png_io.h>
 
 #include <algorithm>
@@ -156,6 +157,22 @@ TEST_F (Viewer, stepsThroughTheGrowthOfAnObject)
   EXPECT_EQ (model_.step (), -1) << "the whole object";
   model_.stepNext (-1);
   EXPECT_EQ (model_.step (), static_cast<int> (segment.steps.size ()));
+}
+
+TEST_F (Viewer, showsNoGrowthWhileTheObjectsAreFoundAnew)
+{
+  model_.stepNext (1);
+  const AttentionResultsPtr whole = std::make_shared<const AttentionResults> (model_.results ());
+  AttentionResults begun = *whole; // as the worker publishes it once the saliency has changed
+  begun.segments.clear ();
+  begun.complete = false;
+  model_.setResults (std::make_shared<const AttentionResults> (begun));
+  EXPECT_EQ (model_.selected (), nullptr);
+  EXPECT_EQ (model_.step (), -1);
+  EXPECT_EQ (titleOf (model_, View::patches), "Patches");
+  EXPECT_TRUE (legendOf (model_, View::patches).empty ());
+  model_.setResults (whole);
+  EXPECT_EQ (model_.step (), 0) << "the object is there again, and its growth";
 }
 
 TEST (ViewerTexts, sayByWhichConstraintAndHowMuch)
@@ -385,7 +402,7 @@ TEST_F (Viewer, savesTheObjectTheResultsAndTheParameters)
 TEST_F (Viewer, aSceneThatCannotBeReadLeavesTheOneBefore)
 {
   model_.selectNext (1);
-  open ([this] { return (readViewerScene (folder_ / "missing.pcd", 0)); });
+  open ([this] { return (readViewerScene (folder_ / "missing.pcd", {})); });
   EXPECT_NE (model_.results ().error.find ("missing.pcd: no such file"), std::string::npos);
   EXPECT_EQ (model_.results ().scene, scene ());
   EXPECT_NE (model_.selected (), nullptr);
@@ -409,6 +426,58 @@ TEST_F (Viewer, ofWaitingRequestsOnlyTheNewestIsComputed)
   EXPECT_FALSE (worker_.isBusy ());
 }
 
+TEST_F (Viewer, keepsWhatARequestHadComputedWhenItWasGivenUp)
+{
+  // Wherever the second request comes into the first, its scene cannot be read and the same is to be computed.
+  for (int delay = 0; delay < 60; delay += 2)
+  {
+    const bool odd = delay / 2 % 2 == 1;
+    AttentionRequest request = model_.request ();
+    request.parameters.saliency.levels = odd ? 3 : 2;
+    request.parameters.patches.minimum_size = odd ? 400 : 10;
+    AttentionRequest next = request;
+    worker_.submit (std::move (request));
+    std::this_thread::sleep_for (std::chrono::milliseconds (delay));
+    next.load = [this] { return (readViewerScene (folder_ / "missing.pcd", {})); };
+    worker_.submit (std::move (next));
+    const AttentionResultsPtr results = worker_.wait ();
+    ASSERT_EQ (results->saliency->levels.size (), odd ? 3u : 2u) << "after " << delay;
+    const auto patches = static_cast<int> (results->patches->patches.size ());
+    for (const auto& border : results->patch_graph->borders)
+      ASSERT_LE (border.first.second, patches) << "after " << delay;
+  }
+}
+
+TEST_F (Viewer, knowsOwnFixationsByTheirSceneAndPlace)
+{
+  const pcl::index_t first = model_.segments ()[1].indices.front (), second = model_.segments ()[2].indices.front ();
+  model_.addFixation (first % 320, first / 320);
+  AttentionRequest request = model_.request ();
+  request.load = [] { return (labelledScene (7)); };
+  worker_.submit (std::move (request));
+  EXPECT_TRUE (worker_.wait ()->own_segments.empty ()) << "it lies in the scene before";
+  EXPECT_TRUE (model_.setResults (worker_.results ()));
+  EXPECT_TRUE (model_.ownFixations ().empty ());
+
+  open ([] { return (scene ()); });
+  model_.addFixation (first % 320, first / 320);
+  worker_.submit (model_.request ());
+  AttentionResults older = *worker_.wait ();
+  ASSERT_EQ (older.own_segments.size (), 1u);
+  older.own_segments[0].indices.clear ();
+  model_.undoFixation ();
+  model_.addFixation (second % 320, second / 320);
+  EXPECT_TRUE (model_.setResults (std::make_shared<const AttentionResults> (older)));
+  ASSERT_EQ (model_.ownFixations ().size (), 1u) << "nothing is known of it yet";
+  EXPECT_TRUE (compute ());
+  ASSERT_NE (model_.selected (), nullptr);
+  EXPECT_TRUE (std::binary_search (model_.selected ()->indices.begin (), model_.selected ()->indices.end (), second));
+
+  // Where another scene cannot be read, they stay.
+  open ([this] { return (readViewerScene (folder_ / "missing.pcd", {})); });
+  EXPECT_EQ (model_.segments ().back ().attention_point.kind, AttentionPointKind::user);
+}
+
 TEST_F (Viewer, endsInTheMiddleOfAComputation)
 {
   for (int round = 0; round < 3; ++round)
@@ -426,69 +495,77 @@ TEST (ViewerScenes, readsLabelsWhereThereAreSome)
   const test::TemporaryFolder folder;
   const auto labelled = rendered (1);
   pcl::io::savePCDFileBinaryCompressed (folder / "labelled.pcd", *labelled);
-  EXPECT_NE (readViewerScene (folder / "labelled.pcd", 0)->truth, nullptr);
+  EXPECT_NE (readViewerScene (folder / "labelled.pcd", {})->truth, nullptr);
   pcl::PointCloud<pcl::PointXYZ> bare;
   pcl::copyPointCloud (*labelled, bare);
   pcl::io::savePCDFileBinaryCompressed (folder / "bare.pcd", bare);
-  const ViewerScenePtr scene = readViewerScene (folder / "bare.pcd", 0);
+  const ViewerScenePtr scene = readViewerScene (folder / "bare.pcd", {});
   EXPECT_EQ (scene->truth, nullptr);
   EXPECT_FALSE (scene->cloud.hasColor ());
   EXPECT_NEAR (scene->focal_length, 262.5f, 5.0f);
 }
 
-TEST (ViewerScenes, readsDepthAndColourImages)
+TEST (ViewerScenes, saysNothingOfLabelsInOtherFiles)
+{
+  const test::TemporaryFolder folder;
+  pcl::PLYWriter ().write (folder / "labelled.ply", *rendered (1), true, false);
+  const ViewerScenePtr scene = readViewerScene (folder / "labelled.ply", {});
+  EXPECT_EQ (scene->truth, nullptr);
+  EXPECT_EQ (scene->scene.notes, std::vector<std::string> ());
+}
+
+TEST (ViewerScenes, doesNotTakeLabelsWhosePointsAreOrganizedAnew)
+{
+  const test::TemporaryFolder folder;
+  const auto labelled = rendered (1);
+  labelled->width *= labelled->height;
+  labelled->height = 1;
+  pcl::io::savePCDFileBinary (folder / "labelled.pcd", *labelled);
+  SceneOptions options;
+  options.camera = readDepthCamera ("262.5,262.5,159.5,119.5,320,240");
+  EXPECT_EQ (readViewerScene (folder / "labelled.pcd", options)->truth, nullptr);
+  options.camera = DepthCamera ();
+  options.image_width = 320;
+  EXPECT_EQ (readViewerScene (folder / "labelled.pcd", options)->cloud.height, 240);
+}
+
+TEST (ViewerScenes, readsDepthImagesAndSurvivesThoseThatAreCut)
 {
   const test::TemporaryFolder folder;
   constexpr int width = 64, height = 48;
-  std::vector<unsigned short> depth (width * height, 1000);
+  std::vector<unsigned short> depth (width * height);
   std::vector<unsigned char> color (3 * depth.size ());
-  depth[5 * width + 7] = 0; // a hole
-  depth[20 * width + 40] = 1500;
   for (std::size_t i = 0; i < depth.size (); ++i)
   {
-    color[3 * i] = static_cast<unsigned char> (i % width);
-    color[3 * i + 1] = static_cast<unsigned char> (i / width);
+    depth[i] = static_cast<unsigned short> (1000 + i * 7919 % 50);
+    color[3 * i] = static_cast<unsigned char> (i * 31 % 251);
   }
-  pcl::io::saveShortPNGFile (folder / "depth.png", depth.data (), width, height, 1);
-  pcl::io::saveCharPNGFile (folder / "color.png", color.data (), width, height, 3);
-  DepthImages images;
-  images.depth = folder / "depth.png";
-  images.color = folder / "color.png";
-  images.focal_length_x = 60.0;
-  images.focal_length_y = 50.0;
-  images.center_x = 30.0;
-  images.center_y = 20.0;
-  const ViewerScenePtr scene = readDepthImages (images);
-  const pcl::PointCloud<pcl::PointXYZRGB>& cloud = *scene->scene.cloud;
-  ASSERT_EQ (cloud.width, 64u);
-  ASSERT_EQ (cloud.height, 48u);
-  EXPECT_FALSE (pcl::isFinite (cloud (7, 5)));
-  const pcl::PointXYZRGB& point = cloud (40, 20);
-  EXPECT_NEAR (point.z, 1.5f, 1e-6f);
-  EXPECT_NEAR (point.x, (40 - 30.0f) / 60.0f * 1.5f, 1e-5f);
-  EXPECT_NEAR (point.y, 0.0f, 1e-5f);
-  EXPECT_EQ (point.r, 40);
-  EXPECT_EQ (point.g, 20);
-  EXPECT_NEAR (cloud (30, 40).y, (40 - 20.0f) / 50.0f, 1e-5f);
-
-  const auto problem = [&images] {
+  const std::string depth_file = folder / "depth.png", color_file = folder / "color.png";
+  pcl::io::saveShortPNGFile (depth_file, depth.data (), width, height, 1);
+  pcl::io::saveCharPNGFile (color_file, color.data (), width, height, 3);
+  SceneOptions options;
+  options.camera = readDepthCamera ("60,60,31.5,23.5");
+  options.color = color_file;
+  const ViewerScenePtr scene = readViewerScene (depth_file, options);
+  EXPECT_EQ (scene->cloud.width, width);
+  EXPECT_EQ (scene->background (40, 20)[0], color[3 * (20 * width + 40)]);
+  for (const std::string& file : {color_file, depth_file})
+  {
+    const std::string whole = test::readText (file);
+    test::writeText (file, whole.substr (0, whole.size () / 2));
     try
     {
-      readDepthImages (images);
+      readViewerScene (depth_file, options);
+      FAIL () << file << " is cut";
     }
-    catch (const std::exception& error)
+    catch (const std::runtime_error& error)
     {
-      return (std::string (error.what ()));
+      const std::string message = error.what ();
+      EXPECT_EQ (message.find (depth_file + ": "), 0u) << message;
+      EXPECT_NE (message.find ("damaged: "), std::string::npos) << message;
     }
-    return (std::string ());
-  };
-  std::swap (images.depth, images.color);
-  EXPECT_NE (problem ().find ("not a depth image"), std::string::npos) << problem ();
-  images.depth = folder / "missing.png";
-  EXPECT_NE (problem ().find ("missing.png: no such file"), std::string::npos) << problem ();
-  test::writeText (folder / "text.png", "no picture");
-  images.depth = folder / "text.png";
-  EXPECT_NE (problem ().find ("text.png: not a PNG file"), std::string::npos) << problem ();
+    test::writeText (file, whole);
+  }
 }
 
 TEST (ViewerScenes, playsASequenceAndCountsWhatItDrops)
@@ -500,7 +577,7 @@ TEST (ViewerScenes, playsASequenceAndCountsWhatItDrops)
     files.push_back (folder / ("frame" + std::to_string (k) + ".pcd"));
     pcl::io::savePCDFileBinary (files.back (), test::wallBefore<pcl::PointXYZRGB> (32, 24, 1.0f + 0.1f * k));
   }
-  SceneSequence scenes (files, 0, 100.0f);
+  SceneSequence scenes (files, {}, 100.0f);
   EXPECT_EQ (scenes.size (), 3u);
   EXPECT_NEAR (scenes.move (1) ()->cloud.z[0], 1.1f, 1e-6f);
   EXPECT_NEAR (scenes.move (-2) ()->cloud.z[0], 1.2f, 1e-6f);
@@ -523,9 +600,14 @@ TEST (ViewerScenes, playsASequenceAndCountsWhatItDrops)
   EXPECT_FALSE (scenes.isPlaying ());
 
   test::writeText (folder / "bad.pcd", "nonsense");
-  SceneSequence damaged ({files[0], folder / "bad.pcd"}, 0, 10.0f);
-  EXPECT_THROW (damaged.play (true), std::runtime_error);
-  SceneSequence single ({files[0]}, 0, 10.0f);
+  SceneSequence damaged ({folder / "bad.pcd", files[0]}, {}, 10.0f);
+  damaged.play (true);
+  std::function<ViewerScenePtr ()> bad;
+  while (!bad && std::chrono::steady_clock::now () < patience)
+    bad = damaged.takeFrame ();
+  ASSERT_TRUE (bad);
+  EXPECT_THROW (bad (), std::runtime_error);
+  SceneSequence single ({files[0]}, {}, 10.0f);
   EXPECT_THROW (single.play (true), std::runtime_error);
 }
 
