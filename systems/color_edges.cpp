@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "systems/color_edges.h"
 
+#include "src/core/bands.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -94,36 +96,37 @@ addGradient (const Feature& feature, int radius, float weight, int threads,
 {
   const std::vector<DiscPixel> disc = discOf (radius);
   const int width = feature.bin.width, height = feature.bin.height;
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (int row = 0; row < height; ++row)
-    for (int column = 0; column < width; ++column)
-    {
-      std::array<Histogram, sectors> counts;
-      counts.fill (Histogram::Zero ());
-      for (const DiscPixel& pixel : disc)
+  forEachBand (height, 8, threads, [&] (int begin, int end) {
+    for (int row = begin; row < end; ++row)
+      for (int column = 0; column < width; ++column)
       {
-        const int x = std::clamp (column + pixel.dx, 0, width - 1), y = std::clamp (row + pixel.dy, 0, height - 1);
-        const float share = feature.share (x, y);
-        float* bin = &counts[pixel.sector][feature.bin (x, y)];
-        bin[0] += 1.0f - share;
-        bin[1] += share;
+        std::array<Histogram, sectors> counts;
+        counts.fill (Histogram::Zero ());
+        for (const DiscPixel& pixel : disc)
+        {
+          const int x = std::clamp (column + pixel.dx, 0, width - 1), y = std::clamp (row + pixel.dy, 0, height - 1);
+          const float share = feature.share (x, y);
+          float* bin = &counts[pixel.sector][feature.bin (x, y)];
+          bin[0] += 1.0f - share;
+          bin[1] += share;
+        }
+        Histogram half = Histogram::Zero (), whole = Histogram::Zero ();
+        for (int sector = 0; sector < sectors; ++sector)
+        {
+          whole += counts[sector];
+          if (sector < orientations)
+            half += counts[sector];
+        }
+        for (int orientation = 0; orientation < orientations; ++orientation)
+        {
+          const Histogram other = whole - half;
+          const float first = std::max (half.sum (), 1.0f), second = std::max (other.sum (), 1.0f);
+          const Histogram sum = half / first + other / second, difference = half / first - other / second;
+          strength[orientation](column, row) += weight * 0.5f * (difference.square () / (sum + 1e-9f)).sum ();
+          half += counts[orientation + orientations] - counts[orientation];
+        }
       }
-      Histogram half = Histogram::Zero (), whole = Histogram::Zero ();
-      for (int sector = 0; sector < sectors; ++sector)
-      {
-        whole += counts[sector];
-        if (sector < orientations)
-          half += counts[sector];
-      }
-      for (int orientation = 0; orientation < orientations; ++orientation)
-      {
-        const Histogram other = whole - half;
-        const float first = std::max (half.sum (), 1.0f), second = std::max (other.sum (), 1.0f);
-        const Histogram sum = half / first + other / second, difference = half / first - other / second;
-        strength[orientation](column, row) += weight * 0.5f * (difference.square () / (sum + 1e-9f)).sum ();
-        half += counts[orientation + orientations] - counts[orientation];
-      }
-    }
+  });
 }
 
 } // namespace

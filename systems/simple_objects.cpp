@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "systems/simple_objects.h"
 
+#include "src/core/bands.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -237,14 +239,12 @@ findSimpleObjects (const OwnedBoundaries& boundaries, const EdgeMap& color_edges
     groups.pop_back ();
 
   std::vector<SimpleObject> objects (groups.size ());
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t i = 0; i < groups.size (); ++i)
-  {
+  forEachBand (static_cast<int> (groups.size ()), 1, threads, [&] (int i, int) {
     const Pixel fixation = fixationOf (groups[i], boundaries, parameters);
     objects[i].fixation = fixation;
     objects[i].mask = segmentAround (edges, fixation.column, fixation.row, parameters.cut);
     objects[i].owned_share = ownedShare (objects[i].mask, boundaries);
-  }
+  });
   std::stable_sort (objects.begin (), objects.end (),
                     [] (const SimpleObject& a, const SimpleObject& b) { return (a.owned_share > b.owned_share); });
   std::vector<SimpleObject> kept;
