@@ -68,25 +68,28 @@ TEST (ColorEdges, oneColorHasNone)
     EXPECT_EQ (strength, 0.0f);
 }
 
-TEST (ColorEdges, theBorderOfATextureIsStrongerThanItsInside)
+TEST (ColorEdges, textureChangesWithTheSameBrightnesses)
 {
-  // Stripes of three pixels on the left, their mean brightness on the right.
+  // Stripes of three pixels, lying on the left and upright on the right.
   ColorImage colors = twoHalves ({0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f});
   for (int row = 0; row < height; ++row)
-    for (int column = 0; column < middle; ++column)
-      colors (column, row).array () += row % 6 < 3 ? 0.15f : -0.15f;
+    for (int column = 0; column < width; ++column)
+      colors (column, row).array () += (column < middle ? row : column) % 6 < 3 ? 0.15f : -0.15f;
   const EdgeMap edges = detectColorEdges (colors);
-  double inside = 0, border = 0;
+  const auto strongest = [&edges] (int row, int first_column, int last_column) {
+    float value = 0;
+    for (int column = first_column; column <= last_column; ++column)
+      value = std::max (value, edges.strength (column, row));
+    return (value);
+  };
+  double border = 0, left = 0, right = 0;
   for (int row = 15; row < height - 15; ++row)
   {
-    for (int column = 15; column < middle - 13; ++column)
-      inside = std::max<double> (inside, edges.strength (column, row));
-    double strongest = 0;
-    for (int column = middle - 3; column <= middle + 3; ++column)
-      strongest = std::max<double> (strongest, edges.strength (column, row));
-    border += strongest / (height - 30);
+    border += strongest (row, middle - 3, middle + 2) / (height - 30);
+    left += strongest (row, 18, 23) / (height - 30);
+    right += strongest (row, width - 24, width - 19) / (height - 30);
   }
-  EXPECT_GT (border, 1.5 * inside);
+  EXPECT_GT (border, 1.5 * std::max (left, right));
 }
 
 TEST (ColorEdges, threadsChangeNothing)
