@@ -46,6 +46,15 @@ protected:
     pipeline.start (OrganizedCloud (cloud), Eigen::Isometry3f::Identity (), parameters, settings_.threads);
   }
 
+  /** \brief The parameters of the fixations. */
+  AttentionParameters
+  withStrategy (AttentionStrategy strategy) const
+  {
+    AttentionParameters parameters = settings_.fixations;
+    parameters.attention_points.strategy = strategy;
+    return (parameters);
+  }
+
   /** \brief Segment around every fixation, up to the greatest number of them.
    * \param[in] mask_of gives the mask of a fixation, of the cloud's size; it throws nothing */
   template <typename MaskOf>
@@ -78,9 +87,9 @@ protected:
 class ActiveSegmentation : public ImageSystem
 {
 public:
-  ActiveSegmentation (const SystemSettings& settings, AttentionStrategy strategy) : ImageSystem (settings)
+  ActiveSegmentation (const SystemSettings& settings, AttentionStrategy strategy)
+      : ImageSystem (settings), strategy_ (strategy)
   {
-    settings_.fixations.attention_points.strategy = strategy;
   }
 
 protected:
@@ -88,12 +97,15 @@ protected:
   segmentImage (const OrganizedCloud& cloud) const override
   {
     AttentionPipeline pipeline;
-    start (pipeline, cloud, settings_.fixations);
+    start (pipeline, cloud, withStrategy (strategy_));
     const EdgeMap edges = detectColorEdges (colorsOf (cloud), settings_.color_edges, settings_.threads);
     return (segmentAll (cloud, pipeline.attentionPoints ().points, [&] (const AttentionPoint& point) {
       return (segmentAround (edges, point.column, point.row, settings_.polar_cut));
     }));
   }
+
+private:
+  AttentionStrategy strategy_;
 };
 
 /** \brief M11: simple objects by the ownership of boundaries. */
@@ -136,7 +148,7 @@ protected:
   segmentImage (const OrganizedCloud& cloud) const override
   {
     AttentionPipeline pipeline;
-    start (pipeline, cloud, settings_.fixations);
+    start (pipeline, cloud, withStrategy (AttentionStrategy::symmetry_lines));
     const AttentionPoints& attention = pipeline.attentionPoints ();
     // A component has one skeleton, and with it one stroke, whatever the number of its points.
     std::vector<AttentionPoint> points;
@@ -222,9 +234,13 @@ row (const std::string& name, Arguments... arguments)
 const std::vector<SystemRow>&
 systemRows ()
 {
-  static const std::vector<SystemRow> rows{row<ActiveSegmentation> ("M09+TJ3D", AttentionStrategy::symmetry_lines),
-                                           row<SimpleObjectSegmentation> ("M11"), row<StrokeSegmentation> ("G10"),
-                                           row<ProposedSystem> ("proposed")};
+  static const std::vector<SystemRow> rows{
+      row<ActiveSegmentation> ("M09+TJ3D", AttentionStrategy::symmetry_lines),
+      row<ActiveSegmentation> ("M09+WTA2D", AttentionStrategy::image_winner_take_all),
+      row<ActiveSegmentation> ("M09+WTA3D", AttentionStrategy::winner_take_all),
+      row<SimpleObjectSegmentation> ("M11"),
+      row<StrokeSegmentation> ("G10"),
+      row<ProposedSystem> ("proposed")};
   return (rows);
 }
 

@@ -35,7 +35,7 @@ public:
 struct SystemSettings
 {
   AttentionParameters proposed;                                 /**< of "proposed" alone */
-  AttentionParameters fixations{AttentionParameters::paper ()}; /**< of the fixations of "M09+..." and "G10" */
+  AttentionParameters fixations{AttentionParameters::paper ()}; /**< of "M09+..." and "G10", but for their strategy */
   int maximum_fixations{60}; /**< further ones of a scene are not segmented by "M09+..." and "G10" */
   ColorEdgeParameters color_edges;
   PolarCutParameters polar_cut;
