@@ -182,9 +182,14 @@ public:
         results_[system][index] = evaluate (source, scene, truths, systems_[system]);
   }
 
+  /** \brief With what other shards have done in the meantime. */
   std::vector<std::vector<std::optional<SceneResult>>>
   takeResults ()
   {
+    for (std::size_t system = 0; store_ && system < systems_.size (); ++system)
+      for (std::size_t scene = 0; scene < sources_.size (); ++scene)
+        if (!results_[system][scene])
+          results_[system][scene] = store_->read (systems_[system].name, sources_[scene].name);
     return (std::move (results_));
   }
 
@@ -195,16 +200,18 @@ private:
     return (scene % work_.shards == work_.shard - 1);
   }
 
+  /** \brief Of the shard; what others have done they have checked. */
   void
   readStore ()
   {
     for (std::size_t system = 0; system < systems_.size (); ++system)
       for (std::size_t scene = 0; scene < sources_.size (); ++scene)
       {
+        if (!isOurs (scene))
+          continue;
         std::optional<SceneResult>& result = results_[system][scene];
         result = store_->read (systems_[system].name, sources_[scene].name);
-        // What other shards have done they have checked.
-        if (result && isOurs (scene) && result->checksum != checksumOf (sources_[scene], systems_[system]))
+        if (result && result->checksum != checksumOf (sources_[scene], systems_[system]))
           throw std::runtime_error (sources_[scene].files.front () + ": has changed since " + systems_[system].name +
                                     " was evaluated on it. Take another -output_dir, or remove that one");
       }

@@ -126,6 +126,31 @@ TEST_F (LargeSets, shardsInOneFolder)
   expectSameReports ("shared", "plain");
 }
 
+TEST_F (LargeSets, shardsAtOnceInOneFolder)
+{
+  expectSuccess ("data -output_dir plain");
+  std::vector<pid_t> processes;
+  for (int shard = 1; shard <= 3; ++shard)
+  {
+    const std::string i = std::to_string (shard);
+    const std::string text = command ("data -output_dir shared -threads 1 -shard " + i + "/3") + i;
+    processes.push_back (fork ());
+    if (processes.back () == 0)
+    {
+      execl ("/bin/sh", "sh", "-c", text.c_str (), static_cast<char*> (nullptr));
+      _exit (127);
+    }
+  }
+  for (const pid_t process : processes)
+  {
+    int status = 0;
+    waitpid (process, &status, 0);
+    EXPECT_EQ (status, 0);
+  }
+  // by the shard that was the last, without another run
+  expectSameReports ("shared", "plain");
+}
+
 TEST_F (LargeSets, shardsMerged)
 {
   expectSuccess ("data -systems all -output_dir plain");
