@@ -3,7 +3,7 @@
 #include "command_line.h"
 #include "evaluated_systems.h"
 #include "evaluation/asked_for.h"
-#include "evaluation/data_set.h"
+#include "data_set.h"
 #include "evaluation/evaluation.h"
 #include "evaluation/report.h"
 #include "evaluation/report_page.h"
@@ -12,6 +12,7 @@
 #include "output_folder.h"
 #include "parameter_flags.h"
 #include "progress.h"
+#include "scene_flags.h"
 #include "whole_file.h"
 
 #include <algorithm>
@@ -138,14 +139,14 @@ askedForKinds (const CommandLine& command_line)
 
 /** \brief Ask for every object of every scene in turn, by every kind of prior. */
 void
-scoreAskedFor (const std::vector<SceneSource>& sources, const std::vector<AskedFor>& kinds,
+scoreAskedFor (const std::vector<SceneSource>& sources, const DataSetOptions& data, const std::vector<AskedFor>& kinds,
                const AttentionParameters& parameters, unsigned int threads)
 {
   std::vector<std::vector<AskedForRanks>> ranks (kinds.size ());
   Progress progress (sources.size ());
   for (const SceneSource& source : sources)
   {
-    const auto of_scene = rankAskedFor (loadScene (source), kinds, parameters, threads);
+    const auto of_scene = rankAskedFor (loadScene (source, data), kinds, parameters, threads);
     for (std::size_t kind = 0; kind < kinds.size (); ++kind)
       ranks[kind].insert (ranks[kind].end (), of_scene[kind].begin (), of_scene[kind].end ());
     progress.finished (source.name);
@@ -170,6 +171,27 @@ readShard (const CommandLine& command_line, EvaluationWork& work)
     command_line.fail ("-shard needs -output_dir, where its results are kept");
 }
 
+/** \brief The camera of depth images, and what of label images is no object. */
+DataSetOptions
+dataSetOptions (const CommandLine& command_line)
+{
+  DataSetOptions options;
+  options.scene = sceneOptionsFromFlags (command_line);
+  if (!options.scene.color.empty ())
+    command_line.fail ("-color does not go with a data set: its layout says where the colours are");
+  if (!command_line.has ("support_labels"))
+    return (options);
+  for (const std::string& text : splitList (command_line.get<std::string> ("support_labels")))
+  {
+    std::uint16_t value = 0;
+    const auto result = std::from_chars (text.data (), text.data () + text.size (), value);
+    if (result.ec != std::errc () || result.ptr != text.data () + text.size ())
+      command_line.fail ("-support_labels takes numbers from 0 to 65535 with commas between, not \"" + text + "\"");
+    options.support_labels.push_back (value);
+  }
+  return (options);
+}
+
 EvaluationWork
 workFromFlags (const CommandLine& command_line)
 {
@@ -185,6 +207,7 @@ workFromFlags (const CommandLine& command_line)
     work.jobs = std::max (1u, std::thread::hardware_concurrency ());
   work.threads = threadsFromFlag (command_line);
   work.pictures = !command_line.has ("no_pictures");
+  work.data = dataSetOptions (command_line);
   readShard (command_line, work);
   return (work);
 }
@@ -257,7 +280,7 @@ evaluate (const CommandLine& command_line, const std::vector<SceneSource>& sourc
           const std::vector<EvaluatedSystem>& systems, const std::vector<GroundTruthKind>& kinds,
           const EvaluationWork& work)
 {
-  const nlohmann::ordered_json description = describeEvaluation (sources, systems, kinds);
+  const nlohmann::ordered_json description = describeEvaluation (sources, work.data, systems, kinds);
   std::optional<EvaluationStore> store;
   if (command_line.has ("output_dir"))
     store.emplace (command_line.get<std::string> ("output_dir"), description);
@@ -350,7 +373,8 @@ main (int argc, char** argv)
       std::string (program) + " DATA... [-systems all] [-output_dir OUT] [flags]",
       "Evaluates systems on labelled scenes: our own, others of the literature, or results of anyone in -results DIR.\n"
       "DATA: labelled PCD files, or folders with them (labels: 0 invalid, 1-19 support, 20.. parts of objects,\n"
-      "label / 10 = object). Prints tables, and writes into OUT: report.html with charts and pictures, report.md,\n"
+      "label / 10 = object), with PCD files and masks NAME_*.png, or in the layout of OSD 0.2 (image_color, annotation,\n"
+      "disparity or pcd) or OCID (rgb, label, depth or pcd); depth images need -intrinsics. Prints tables, and writes into OUT: report.html with charts and pictures, report.md,\n"
       "report.csv, report.json, objects.csv, timings.csv, and results/, from which a run that was interrupted goes "
       "on.\n"
       "Results of -results are read from DIR/<stem>/, in the layout that pcl_attention_segment writes:\n"
@@ -373,6 +397,10 @@ main (int argc, char** argv)
     ("summary_csv", po::value<std::string> (), "file to write with all figures of the first system, one row a ground truth and category");
   // clang-format on
   addThreadsFlag (command_line);
+  addSceneFlags (command_line);
+  command_line.addOptions () ("support_labels", po::value<std::string> (),
+                              "values of label images that are no objects, with commas; default 0, in OCID's layout 0,1, and "
+                              "2 below a folder \"table\"");
   addParameterFlags (command_line);
   command_line.parse (argc, argv);
   if (command_line.positional ().empty () && !command_line.has ("merge"))
@@ -390,9 +418,10 @@ main (int argc, char** argv)
     if (command_line.has ("merge"))
       merge (command_line);
     else if (!asked_for.empty ())
-      scoreAskedFor (listSceneSources (command_line.positional ()), asked_for, parameters.values, work.threads);
+      scoreAskedFor (listSceneSources (command_line.positional (), work.data), work.data, asked_for, parameters.values,
+                     work.threads);
     else
-      evaluate (command_line, listSceneSources (command_line.positional ()), systems, kinds, work);
+      evaluate (command_line, listSceneSources (command_line.positional (), work.data), systems, kinds, work);
   }
   catch (const std::exception& error)
   {

@@ -6,6 +6,7 @@
 #include <pcl_attention/version.h>
 
 #include <boost/crc.hpp>
+#include <cmath>
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 
@@ -55,7 +56,7 @@ checksumOf (const std::vector<std::string>& files)
 std::string
 checksumOf (const SceneSource& source, const EvaluatedSystem& system)
 {
-  std::vector<std::string> files = source.files;
+  std::vector<std::string> files = source.files ();
   if (system.inputs)
     for (const std::string& file : system.inputs (source.name))
       files.push_back (file);
@@ -171,7 +172,7 @@ public:
   evaluate (std::size_t index)
   {
     const SceneSource& source = sources_[index];
-    const LabelledScene scene = loadScene (source);
+    const LabelledScene scene = loadScene (source, work_.data);
     std::vector<GroundTruth> truths;
     for (const GroundTruthKind kind : kinds_)
       truths.push_back (makeGroundTruth (*scene.cloud, kind));
@@ -212,7 +213,7 @@ private:
         std::optional<SceneResult>& result = results_[system][scene];
         result = store_->read (systems_[system].name, sources_[scene].name);
         if (result && result->checksum != checksumOf (sources_[scene], systems_[system]))
-          throw std::runtime_error (sources_[scene].files.front () + ": has changed since " + systems_[system].name +
+          throw std::runtime_error (sources_[scene].points + ": has changed since " + systems_[system].name +
                                     " was evaluated on it. Take another -output_dir, or remove that one");
       }
   }
@@ -252,8 +253,8 @@ private:
 } // namespace
 
 Json
-describeEvaluation (const std::vector<SceneSource>& sources, const std::vector<EvaluatedSystem>& systems,
-                    const std::vector<GroundTruthKind>& kinds)
+describeEvaluation (const std::vector<SceneSource>& sources, const DataSetOptions& data,
+                    const std::vector<EvaluatedSystem>& systems, const std::vector<GroundTruthKind>& kinds)
 {
   Json description{{"version", PCL_ATTENTION_VERSION}};
   for (const GroundTruthKind kind : kinds)
@@ -263,12 +264,19 @@ describeEvaluation (const std::vector<SceneSource>& sources, const std::vector<E
                                        {"swept", system.swept},
                                        {"theta_com", system.theta_com},
                                        {"parameters", system.parameters}});
+  const DepthCamera& camera = data.scene.camera;
+  if (camera.isKnown ())
+    description["camera"] = {camera.fx, camera.fy, camera.cx, camera.cy, camera.depth_scale};
+  if (std::isfinite (data.scene.max_range))
+    description["max_range"] = data.scene.max_range;
   for (const SceneSource& source : sources)
   {
     std::uintmax_t bytes = 0;
-    for (const std::string& file : source.files)
+    for (const std::string& file : source.files ())
       bytes += fs::file_size (file);
     description["scenes"].push_back ({{"name", source.name}, {"category", source.category}, {"bytes", bytes}});
+    if (!source.labels.empty ())
+      description["scenes"].back ()["support_labels"] = source.support_labels;
   }
   return (description);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "evaluated_systems.h"
-#include "evaluation/data_set.h"
+#include "data_set.h"
 #include "evaluation/evaluation.h"
 #include "evaluation_store.h"
 
@@ -13,9 +13,10 @@
 namespace pcl_attention
 {
 
-/** \brief How the work is done; nothing of it changes the results. */
+/** \brief How the work is done; nothing of it but for the data changes the results. */
 struct EvaluationWork
 {
+  DataSetOptions data;              /**< how scenes are read */
   unsigned int jobs{1};             /**< scenes at once */
   unsigned int threads{0};          /**< of one scene, 0: all processors, shared among the jobs */
   unsigned int shard{1}, shards{1}; /**< of the scenes, every \a shards th from number \a shard on */
@@ -23,7 +24,7 @@ struct EvaluationWork
 };
 
 /** \brief Everything that the results depend on but for the data's content. */
-nlohmann::ordered_json describeEvaluation (const std::vector<SceneSource>& sources,
+nlohmann::ordered_json describeEvaluation (const std::vector<SceneSource>& sources, const DataSetOptions& data,
                                            const std::vector<EvaluatedSystem>& systems,
                                            const std::vector<GroundTruthKind>& kinds);
 
