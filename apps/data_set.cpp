@@ -88,7 +88,8 @@ std::optional<ImageFolders>
 imageFoldersIn (const fs::path& root)
 {
   if (fs::is_directory (root / "annotation") && fs::is_directory (root / "image_color"))
-    return (ImageFolders{root, "image_color", "annotation", fs::is_directory (root / "disparity") ? "disparity" : "depth"});
+    return (
+        ImageFolders{root, "image_color", "annotation", fs::is_directory (root / "disparity") ? "disparity" : "depth"});
   if (fs::is_directory (root / "label") && fs::is_directory (root / "rgb"))
     return (ImageFolders{root, "rgb", "label", "depth"});
   return (std::nullopt);
@@ -156,8 +157,8 @@ listImages (const fs::path& data, const ImageFolders& folders, const DataSetOpti
     source.category = kind.empty () ? sceneCategory ((folders.root / (stem + ".png")).string ()) : kind;
     source.labels = (folders.root / folders.labels / (stem + ".png")).string ();
     source.support_labels = supportLabels (folders, options);
-    source.points = by_depth ? (folders.root / folders.depth / (stem + ".png")).string ()
-                             : (clouds / (stem + ".pcd")).string ();
+    source.points =
+        by_depth ? (folders.root / folders.depth / (stem + ".png")).string () : (clouds / (stem + ".pcd")).string ();
     if (by_depth)
       source.color = (folders.root / folders.color / (stem + ".png")).string ();
     sources.push_back (source);
@@ -248,7 +249,8 @@ listPath (const std::string& path, const DataSetOptions& options, Problems& prob
     for (const ImageFolders& folders : found)
       listImages (path, folders, options, problems, sources);
     if (found.empty ())
-      problems.add (path, "no labelled scenes: neither .pcd files, nor folders image_color and annotation, nor rgb and label");
+      problems.add (
+          path, "no labelled scenes: neither .pcd files, nor folders image_color and annotation, nor rgb and label");
     return;
   }
   for (const std::string& cloud : listScenes ({path}))

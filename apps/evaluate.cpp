@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pcl_attention_evaluate: systems side by side on labelled scenes, the module's own and anyone's results.
 #include "command_line.h"
+#include "data_set.h"
 #include "evaluated_systems.h"
 #include "evaluation/asked_for.h"
-#include "data_set.h"
 #include "evaluation/evaluation.h"
 #include "evaluation/report.h"
 #include "evaluation/report_page.h"
@@ -373,8 +373,10 @@ main (int argc, char** argv)
       std::string (program) + " DATA... [-systems all] [-output_dir OUT] [flags]",
       "Evaluates systems on labelled scenes: our own, others of the literature, or results of anyone in -results DIR.\n"
       "DATA: labelled PCD files, or folders with them (labels: 0 invalid, 1-19 support, 20.. parts of objects,\n"
-      "label / 10 = object), with PCD files and masks NAME_*.png, or in the layout of OSD 0.2 (image_color, annotation,\n"
-      "disparity or pcd) or OCID (rgb, label, depth or pcd); depth images need -intrinsics. Prints tables, and writes into OUT: report.html with charts and pictures, report.md,\n"
+      "label / 10 = object), with PCD files and masks NAME_*.png, or in the layout of OSD 0.2 (image_color, "
+      "annotation,\n"
+      "disparity or pcd) or OCID (rgb, label, depth or pcd); depth images need -intrinsics. Prints tables, and writes "
+      "into OUT: report.html with charts and pictures, report.md,\n"
       "report.csv, report.json, objects.csv, timings.csv, and results/, from which a run that was interrupted goes "
       "on.\n"
       "Results of -results are read from DIR/<stem>/, in the layout that pcl_attention_segment writes:\n"
@@ -398,9 +400,10 @@ main (int argc, char** argv)
   // clang-format on
   addThreadsFlag (command_line);
   addSceneFlags (command_line);
-  command_line.addOptions () ("support_labels", po::value<std::string> (),
-                              "values of label images that are no objects, with commas; default 0, in OCID's layout 0,1, and "
-                              "2 below a folder \"table\"");
+  command_line.addOptions () (
+      "support_labels", po::value<std::string> (),
+      "values of label images that are no objects, with commas; default 0, in OCID's layout 0,1, and "
+      "2 below a folder \"table\"");
   addParameterFlags (command_line);
   command_line.parse (argc, argv);
   if (command_line.positional ().empty () && !command_line.has ("merge"))

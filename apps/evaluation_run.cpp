@@ -6,12 +6,12 @@
 #include <pcl_attention/version.h>
 
 #include <boost/crc.hpp>
-#include <cmath>
 #include <pcl/common/io.h>
 #include <pcl/common/point_tests.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "evaluated_systems.h"
 #include "data_set.h"
+#include "evaluated_systems.h"
 #include "evaluation/evaluation.h"
 #include "evaluation_store.h"
 
