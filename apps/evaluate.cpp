@@ -9,6 +9,7 @@
 #include "evaluation/report_page.h"
 #include "evaluation_run.h"
 #include "evaluation_store.h"
+#include "number_text.h"
 #include "output_folder.h"
 #include "parameter_flags.h"
 #include "progress.h"
@@ -16,8 +17,6 @@
 #include "whole_file.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -58,15 +57,14 @@ sweepValues (const CommandLine& command_line)
   std::vector<double> values;
   if (!command_line.has ("sweep"))
     return (values);
-  for (const std::string& text : splitList (command_line.get<std::string> ("sweep")))
-  {
-    double value = 0.0;
-    const auto result = std::from_chars (text.data (), text.data () + text.size (), value);
-    if (result.ec != std::errc () || result.ptr != text.data () + text.size () || !(value > 0.0 && value <= 10000.0))
-      command_line.fail ("-sweep takes millimetres above 0 with commas between, as in 2,3,5,8, not \"" + text + "\"");
+  const std::string& text = command_line.get<std::string> ("sweep");
+  for (const double value : numbersOf<double> (text))
     if (std::find (values.begin (), values.end (), value / 1e3) == values.end ())
       values.push_back (value / 1e3);
-  }
+  if (values.empty () || *std::min_element (values.begin (), values.end ()) <= 0.0 ||
+      *std::max_element (values.begin (), values.end ()) > 10.0)
+    command_line.fail ("-sweep takes millimetres above 0 and at most 10000 with commas between, as in 2,3,5,8, not \"" +
+                       text + "\"");
   return (values);
 }
 
@@ -80,14 +78,15 @@ systemsFromFlags (const CommandLine& command_line, const NamedParameters& own)
   if (command_line.has ("systems") || systems.empty ())
   {
     const std::string text = command_line.get<std::string> ("systems");
-    const std::vector<std::string> asked = text == "all" ? systemNames () : splitList (text);
+    const std::vector<std::string> asked = text == "all" ? evaluatedSystemNames () : splitList (text);
     for (const std::string& name : asked)
-      if (std::find (systemNames ().begin (), systemNames ().end (), name) == systemNames ().end ())
-        command_line.fail ("-systems takes all, or a list with commas of " + joinList (systemNames ()) + ", not \"" +
-                           name + "\"");
-    for (const std::string& name : systemNames ())
+      if (std::find (evaluatedSystemNames ().begin (), evaluatedSystemNames ().end (), name) ==
+          evaluatedSystemNames ().end ())
+        command_line.fail ("-systems takes all, or a list with commas of " + joinList (evaluatedSystemNames ()) +
+                           ", not \"" + name + "\"");
+    for (const std::string& name : evaluatedSystemNames ())
       if (std::find (asked.begin (), asked.end (), name) != asked.end ())
-        systems.push_back (makeSystem (name, own));
+        systems.push_back (makeEvaluatedSystem (name, own));
   }
   std::vector<EvaluatedSystem> swept;
   for (const EvaluatedSystem& system : systems)
@@ -161,12 +160,11 @@ readShard (const CommandLine& command_line, EvaluationWork& work)
   if (!command_line.has ("shard"))
     return;
   const std::string& text = command_line.get<std::string> ("shard");
-  const char* const end = text.data () + text.size ();
-  const auto first = std::from_chars (text.data (), end, work.shard);
-  const bool has_slash = first.ec == std::errc () && first.ptr != end && *first.ptr == '/';
-  const auto second = has_slash ? std::from_chars (first.ptr + 1, end, work.shards) : first;
-  if (!has_slash || second.ec != std::errc () || second.ptr != end || work.shard < 1 || work.shard > work.shards)
+  const auto numbers = numbersOf<unsigned int> (text, '/');
+  if (numbers.size () != 2 || numbers[0] < 1 || numbers[0] > numbers[1])
     command_line.fail ("-shard is i/n with i from 1 to n, as in 2/8, not \"" + text + "\"");
+  work.shard = numbers[0];
+  work.shards = numbers[1];
   if (!command_line.has ("output_dir"))
     command_line.fail ("-shard needs -output_dir, where its results are kept");
 }
@@ -181,14 +179,10 @@ dataSetOptions (const CommandLine& command_line)
     command_line.fail ("-color does not go with a data set: its layout says where the colours are");
   if (!command_line.has ("support_labels"))
     return (options);
-  for (const std::string& text : splitList (command_line.get<std::string> ("support_labels")))
-  {
-    std::uint16_t value = 0;
-    const auto result = std::from_chars (text.data (), text.data () + text.size (), value);
-    if (result.ec != std::errc () || result.ptr != text.data () + text.size ())
-      command_line.fail ("-support_labels takes numbers from 0 to 65535 with commas between, not \"" + text + "\"");
-    options.support_labels.push_back (value);
-  }
+  const std::string& text = command_line.get<std::string> ("support_labels");
+  options.support_labels = numbersOf<std::uint16_t> (text);
+  if (options.support_labels.empty ())
+    command_line.fail ("-support_labels takes numbers from 0 to 65535 with commas between, not \"" + text + "\"");
   return (options);
 }
 
@@ -227,14 +221,14 @@ printReport (const CommandLine& command_line, const Evaluation& evaluation)
   if (command_line.has ("csv"))
   {
     std::ostringstream stream;
-    writeObjectsCsv (stream, scoresOf (*systems.front ()));
+    writeObjectsCsv (stream, scoresOf (evaluation.mainSystem ()));
     writeWholeFile (command_line.get<std::string> ("csv"), stream.str ());
   }
   if (command_line.has ("summary_csv"))
   {
     std::vector<Summary> summaries;
     for (const GroundTruthKind kind : evaluation.kinds)
-      for (const Summary& summary : summarizeByCategory (kind, scoresOf (*systems.front ())))
+      for (const Summary& summary : summarizeByCategory (kind, scoresOf (evaluation.mainSystem ())))
         summaries.push_back (summary);
     std::ostringstream stream;
     writeSummaryCsv (stream, summaries);
@@ -264,7 +258,8 @@ collect (std::vector<std::vector<std::optional<SceneResult>>>&& results, const s
 {
   for (std::size_t system = 0; system < systems.size (); ++system)
   {
-    evaluation.systems.push_back ({systems[system].name, systems[system].swept, systems[system].theta_com, {}});
+    evaluation.systems.push_back (
+        {systems[system].name, systems[system].note, systems[system].swept, systems[system].theta_com, {}});
     for (std::optional<SceneResult>& result : results[system])
     {
       if (!result)
@@ -317,7 +312,7 @@ mergedEvaluation (const std::vector<EvaluationStore>& stores)
   for (const auto& system : description.at ("systems"))
   {
     const std::string name = system.at ("name");
-    evaluation.systems.push_back ({name, system.at ("swept"), system.at ("theta_com"), {}});
+    evaluation.systems.push_back ({name, system.at ("note"), system.at ("swept"), system.at ("theta_com"), {}});
     for (const auto& scene : description.at ("scenes"))
     {
       const std::string scene_name = scene.at ("name");
@@ -385,7 +380,7 @@ main (int argc, char** argv)
   command_line.addOptions ()
     ("output_dir", po::value<std::string> (), "folder for the report; made if need be, gone on with if it is there")
     ("systems", po::value<std::string> ()->default_value ("proposed"),
-     ("all, or a list with commas of " + joinList (systemNames ()) + "; the flags of parameters are those of proposed").c_str ())
+     ("all, or a list with commas of " + joinList (evaluatedSystemNames ()) + "; the flags of parameters are those of proposed").c_str ())
     ("results", po::value<std::string> (), "folder with results to score instead of our own")
     ("sweep", po::value<std::string> (), "also vary theta_com of proposed and paper: millimetres with commas, as in 2,3,4,5,6,8,10,12,15")
     ("jobs", po::value<int> ()->default_value (1), "scenes at once, 0 for as many as processors; does not change the results")
@@ -395,8 +390,8 @@ main (int argc, char** argv)
     ("ground_truth", po::value<std::string> ()->default_value ("both"), "objects, parts or both")
     ("asked_for", po::value<std::string> (), ("instead, ask for every object by " + askedForChoices () +
                                              ": mean rank of the asked-for object").c_str ())
-    ("csv", po::value<std::string> (), "file to write with one row an object of the first system")
-    ("summary_csv", po::value<std::string> (), "file to write with all figures of the first system, one row a ground truth and category");
+    ("csv", po::value<std::string> (), "file to write with one row an object, of proposed or else the first system")
+    ("summary_csv", po::value<std::string> (), "file to write with all figures of proposed or else the first system, one row a ground truth and category");
   // clang-format on
   addThreadsFlag (command_line);
   addSceneFlags (command_line);

@@ -73,7 +73,7 @@ namedSystems ()
 } // namespace
 
 const std::vector<std::string>&
-systemNames ()
+evaluatedSystemNames ()
 {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
@@ -85,7 +85,7 @@ systemNames ()
 }
 
 EvaluatedSystem
-makeSystem (const std::string& name, const NamedParameters& own)
+makeEvaluatedSystem (const std::string& name, const NamedParameters& own)
 {
   for (const NamedSystem& system : namedSystems ())
     if (name == system.name)

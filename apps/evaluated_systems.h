@@ -26,6 +26,7 @@ struct SystemOutput
 struct EvaluatedSystem
 {
   std::string name;
+  std::string note;                  /**< see SystemEvaluation */
   std::string swept;                 /**< see SystemEvaluation */
   double theta_com{0.0};             /**< see SystemEvaluation */
   nlohmann::ordered_json parameters; /**< what its results depend on besides the scene */
@@ -37,11 +38,11 @@ struct EvaluatedSystem
   std::function<std::vector<std::string> (const std::string& scene)> inputs;
 };
 
-/** \brief The systems by the names that \ref makeSystem takes, in the order of the reports. */
-const std::vector<std::string>& systemNames ();
+/** \brief The systems by the names that \ref makeEvaluatedSystem takes, in the order of the reports. */
+const std::vector<std::string>& evaluatedSystemNames ();
 
 /** \brief \param[in] own parameters of the system "proposed" */
-EvaluatedSystem makeSystem (const std::string& name, const NamedParameters& own);
+EvaluatedSystem makeEvaluatedSystem (const std::string& name, const NamedParameters& own);
 
 /** \brief Results that someone has written before, in FOLDER/<name of the scene>/. */
 EvaluatedSystem storedResults (const std::string& folder);

@@ -261,6 +261,7 @@ describeEvaluation (const std::vector<SceneSource>& sources, const DataSetOption
     description["ground_truth"].push_back (toString (kind));
   for (const EvaluatedSystem& system : systems)
     description["systems"].push_back ({{"name", system.name},
+                                       {"note", system.note},
                                        {"swept", system.swept},
                                        {"theta_com", system.theta_com},
                                        {"parameters", system.parameters}});

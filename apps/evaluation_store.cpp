@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_store.h"
 
+#include "evaluation/file_error.h"
 #include "output_folder.h"
 #include "parameter_io.h"
 #include "whole_file.h"
 
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 
 namespace fs = std::filesystem;
 
@@ -20,12 +20,6 @@ namespace
 using Json = nlohmann::ordered_json;
 
 const char* const description_file = "evaluation.json";
-
-[[noreturn]] void
-fail (const fs::path& path, const std::string& message)
-{
-  throw std::runtime_error (path.string () + ": " + message);
-}
 
 /** \brief Where two descriptions first differ, e.g. "/systems/0/parameters/parts is true there and false now". */
 std::string

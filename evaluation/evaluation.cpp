@@ -56,6 +56,8 @@ tableOne (const Evaluation& evaluation, GroundTruthKind kind)
       appendFigures (row, paper ? paper->willow : PaperFigures ());
     }
     table.rows.push_back (row);
+    if (!system->note.empty ())
+      table.note += " " + system->name + ": " + system->note + ".";
   }
   return (table);
 }
@@ -207,6 +209,14 @@ Evaluation::ownSystems () const
     if (system.swept.empty ())
       own.push_back (&system);
   return (own);
+}
+
+const SystemEvaluation&
+Evaluation::mainSystem () const
+{
+  const auto proposed = std::find_if (systems.begin (), systems.end (),
+                                      [] (const SystemEvaluation& system) { return (system.name == "proposed"); });
+  return (proposed == systems.end () ? systems.front () : *proposed);
 }
 
 std::vector<const SystemEvaluation*>

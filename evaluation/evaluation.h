@@ -15,6 +15,7 @@ namespace pcl_attention
 struct SystemEvaluation
 {
   std::string name;                ///< e.g. "proposed"
+  std::string note;                ///< what a reader of the report has to know, e.g. a cap on fixations
   std::string swept;               ///< the system whose theta_com is varied; empty for a system of its own
   double theta_com = 0;            ///< metres, of a system that is varied
   std::vector<SceneResult> scenes; ///< in the order of the scenes
@@ -29,6 +30,9 @@ struct Evaluation
 
   /** \brief The systems of their own. */
   std::vector<const SystemEvaluation*> ownSystems () const;
+
+  /** \brief The one whose failures are looked at: "proposed", else the first. */
+  const SystemEvaluation& mainSystem () const;
 
   /** \brief Those whose theta_com is varied, of one system in ascending order of it. */
   std::vector<const SystemEvaluation*> sweepOf (const std::string& system) const;

@@ -250,7 +250,7 @@ reportPage (const Evaluation& evaluation, const PictureOf& picture_of)
   for (const GroundTruthKind kind : evaluation.kinds)
     page += sweepSection (evaluation, kind);
   page += riskSection (evaluation) + timeSection (evaluation) + comparisonSection (evaluation, picture_of) +
-          worstSection (*systems.front (), evaluation.kinds.front (), picture_of);
+          worstSection (evaluation.mainSystem (), evaluation.kinds.front (), picture_of);
   return (page + "</body>\n</html>\n");
 }
 

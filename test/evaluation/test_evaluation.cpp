@@ -39,7 +39,11 @@ evaluationOf (const std::string& system)
   Evaluation evaluation;
   evaluation.version = "1.2";
   evaluation.kinds = {GroundTruthKind::objects};
-  evaluation.systems.push_back ({system, "", 0, {resultOf ("one", "boxes"), resultOf ("two", "<bowls>")}});
+  evaluation.systems.push_back ({system,
+                                 system == "M11" ? "at most 7 fixations" : "",
+                                 "",
+                                 0,
+                                 {resultOf ("one", "boxes"), resultOf ("two", "<bowls>")}});
   return (evaluation);
 }
 
@@ -70,6 +74,7 @@ TEST (Evaluation, tableOneHasThePapersFiguresBesideOurs)
       << text;
   EXPECT_NE (text.find ("| M11 | 0.417 +-0.417 | 0.500 +-0.500 | 0.500 +-0.500 | 0.500 (2 of 4) |"), std::string::npos)
       << text;
+  EXPECT_NE (text.find (" M11: at most 7 fixations.\n"), std::string::npos) << text;
   EXPECT_NE (text.find ("| boxes | M11 | 1 | 2 |"), std::string::npos) << text;
   EXPECT_NE (
       reportMarkdown (evaluationOf ("mine")).find ("| mine | 0.833 +-0.000 | 1.000 +-0.000 | 1.000 +-0.000 | - |"),
