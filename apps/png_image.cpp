@@ -91,7 +91,8 @@ struct PngReader
   {
     if (setjmp (png_jmpbuf (png)) != 0)
       return (false);
-    png_set_swap (png); // PNG stores the high byte first
+    png_set_packing (png); // a byte a value where a file has less
+    png_set_swap (png);    // PNG stores the high byte first
     png_set_interlace_handling (png);
     png_read_image (png, rows);
     png_read_end (png, nullptr);
@@ -123,27 +124,70 @@ readColorPng (const std::string& path)
   return (image);
 }
 
+namespace
+{
+
+PngHeader
+headerOf (PngReader& reader)
+{
+  if (!reader.readHeader ())
+    throw std::runtime_error (std::string ("cannot be read as PNG: ") + reader.error);
+  const int color_type = png_get_color_type (reader.png, reader.info);
+  const PngHeader header{png_get_image_width (reader.png, reader.info), png_get_image_height (reader.png, reader.info),
+                         png_get_bit_depth (reader.png, reader.info), color_type == PNG_COLOR_TYPE_GRAY,
+                         color_type == PNG_COLOR_TYPE_PALETTE};
+  checkImageSize (header.width, header.height);
+  return (header);
+}
+
+/** \brief The values as they are stored, of one channel. */
+template <typename Value>
+Image<Value>
+readValues (PngReader& reader, const PngHeader& header)
+{
+  Image<Value> image (static_cast<int> (header.width), static_cast<int> (header.height));
+  std::vector<png_bytep> rows;
+  for (std::size_t row = 0; row < header.height; ++row)
+    rows.push_back (reinterpret_cast<png_bytep> (image.data.data () + row * header.width));
+  if (!reader.readRows (rows.data ()))
+    throw std::runtime_error (std::string ("damaged: ") + reader.error);
+  return (image);
+}
+
+} // namespace
+
+PngHeader
+readPngHeader (const std::string& path)
+{
+  PngReader reader (path);
+  return (headerOf (reader));
+}
+
+Image<std::uint16_t>
+readIndexPng (const std::string& path)
+{
+  PngReader reader (path);
+  const PngHeader header = headerOf (reader);
+  if (!header.is_grey && !header.is_palette)
+    throw std::runtime_error ("neither grey nor with a palette");
+  if (header.bit_depth == 16)
+    return (readValues<std::uint16_t> (reader, header));
+  const Image<std::uint8_t> values = readValues<std::uint8_t> (reader, header);
+  Image<std::uint16_t> image (values.width, values.height);
+  std::copy (values.data.begin (), values.data.end (), image.data.begin ());
+  return (image);
+}
+
 Image<std::uint16_t>
 readDepthPng (const std::string& path)
 {
   PngReader reader (path);
-  if (!reader.readHeader ())
-    throw std::runtime_error (std::string ("cannot be read as PNG: ") + reader.error);
-  const png_uint_32 width = png_get_image_width (reader.png, reader.info);
-  const png_uint_32 height = png_get_image_height (reader.png, reader.info);
-  checkImageSize (width, height);
-  if (png_get_bit_depth (reader.png, reader.info) != 16 ||
-      png_get_color_type (reader.png, reader.info) != PNG_COLOR_TYPE_GRAY)
+  const PngHeader header = headerOf (reader);
+  if (header.bit_depth != 16 || !header.is_grey)
     throw std::runtime_error (
         "not a depth image: that has to be a 16-bit grey PNG, with metres by -depth_scale; a colour "
         "image goes with -color");
-  Image<std::uint16_t> image (static_cast<int> (width), static_cast<int> (height));
-  std::vector<png_bytep> rows;
-  for (png_uint_32 row = 0; row < height; ++row)
-    rows.push_back (reinterpret_cast<png_bytep> (image.data.data () + static_cast<std::size_t> (row) * width));
-  if (!reader.readRows (rows.data ()))
-    throw std::runtime_error (std::string ("damaged: ") + reader.error);
-  return (image);
+  return (readValues<std::uint16_t> (reader, header));
 }
 
 std::string

@@ -21,6 +21,21 @@ std::string encodePng (const Image<Color>& image);
  * cut short. \throws std::runtime_error with what is wrong, without the name of the file */
 Image<Color> readColorPng (const std::string& path);
 
+/** \brief What the header of a PNG file announces. */
+struct PngHeader
+{
+  std::uint32_t width{0}, height{0}; /**< pixels */
+  int bit_depth{0};                  /**< 1 to 16 */
+  bool is_grey{false}, is_palette{false};
+};
+
+/** \brief \throws std::runtime_error with what is wrong, without the name of the file */
+PngHeader readPngHeader (const std::string& path);
+
+/** \brief Read the values of a grey PNG file, or the indices into the palette, as which label images are stored.
+ * \throws std::runtime_error with what is wrong, without the name of the file */
+Image<std::uint16_t> readIndexPng (const std::string& path);
+
 /** \brief Read the values of a 16-bit grey PNG file, as which depth images are stored.
  * \throws std::runtime_error with what is wrong, without the name of the file */
 Image<std::uint16_t> readDepthPng (const std::string& path);

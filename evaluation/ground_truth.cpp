@@ -59,6 +59,15 @@ toString (GroundTruthKind kind)
   return (kind == GroundTruthKind::objects ? "objects" : "parts");
 }
 
+GroundTruthKind
+groundTruthKindFromName (const std::string& name)
+{
+  for (const GroundTruthKind kind : {GroundTruthKind::objects, GroundTruthKind::parts})
+    if (name == toString (kind))
+      return (kind);
+  throw std::invalid_argument ("no ground truth \"" + name + "\"");
+}
+
 GroundTruth
 makeGroundTruth (const pcl::PointCloud<pcl::PointXYZRGBL>& cloud, GroundTruthKind kind)
 {

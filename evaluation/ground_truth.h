@@ -22,6 +22,10 @@ enum class GroundTruthKind
 /** \brief "objects" or "parts". */
 std::string toString (GroundTruthKind kind);
 
+/** \brief The other way round.
+ * \throws std::invalid_argument if it is neither */
+GroundTruthKind groundTruthKindFromName (const std::string& name);
+
 /** \brief One object (or part) of the ground truth. */
 struct Region
 {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iomanip>
 #include <sstream>
 
@@ -11,25 +10,6 @@ namespace pcl_attention
 {
 namespace
 {
-
-/** \brief A figure with three decimals; what there is no figure for is a dash. */
-std::string
-figure (double value)
-{
-  if (std::isnan (value))
-    return ("-");
-  std::ostringstream stream;
-  stream << std::fixed << std::setprecision (3) << value;
-  return (stream.str ());
-}
-
-std::string
-figure (const Distribution& distribution)
-{
-  if (std::isnan (distribution.mean))
-    return ("-");
-  return (figure (distribution.mean) + " +-" + figure (distribution.deviation));
-}
 
 /** \brief A table of text: the first row is the heading, the first column is aligned to the left. */
 void
@@ -50,9 +30,34 @@ printTable (std::ostream& stream, const std::vector<std::vector<std::string>>& r
   }
 }
 
-/** \brief A value of a CSV file, quoted where it must be (RFC 4180). */
 std::string
-quoted (const std::string& text)
+csvPair (const Distribution& distribution)
+{
+  return (csvNumber (distribution.mean) + ',' + csvNumber (distribution.deviation));
+}
+
+} // namespace
+
+std::string
+figureText (double value)
+{
+  if (std::isnan (value))
+    return ("-");
+  std::ostringstream stream;
+  stream << std::fixed << std::setprecision (3) << value;
+  return (stream.str ());
+}
+
+std::string
+figureText (const Distribution& distribution)
+{
+  if (std::isnan (distribution.mean))
+    return ("-");
+  return (figureText (distribution.mean) + " +-" + figureText (distribution.deviation));
+}
+
+std::string
+csvText (const std::string& text)
 {
   if (text.find_first_of (",\"\r\n") == std::string::npos)
     return (text);
@@ -62,9 +67,8 @@ quoted (const std::string& text)
   return (result + '"');
 }
 
-/** \brief A value of a CSV file: empty for NaN. */
 std::string
-value (double number)
+csvNumber (double number)
 {
   if (std::isnan (number))
     return ("");
@@ -72,14 +76,6 @@ value (double number)
   stream << std::setprecision (6) << number;
   return (stream.str ());
 }
-
-std::string
-value (const Distribution& distribution)
-{
-  return (value (distribution.mean) + ',' + value (distribution.deviation));
-}
-
-} // namespace
 
 void
 printTables (std::ostream& stream, const std::vector<Summary>& summaries)
@@ -96,16 +92,16 @@ printTables (std::ostream& stream, const std::vector<Summary>& summaries)
       {"", "scenes", "overlap P", "overlap R", "overlap F", "best of scene", "centre F", "confidence rho"}};
   for (const Summary& s : summaries)
   {
-    segments.push_back ({s.group, std::to_string (s.objects), std::to_string (s.attended), figure (s.attended_first),
-                         figure (s.attended_best), figure (s.attended_all), figure (s.strict_first),
-                         figure (s.strict_best), figure (s.strict_all)});
-    attention.push_back ({s.group, figure (s.coverage), figure (s.hits_within_5), figure (s.hits_within_10),
-                          figure (s.hits_within_objects), figure (s.points_per_scene), figure (s.points_per_object),
-                          figure (s.points_on_objects), figure (s.points_on_support), figure (s.points_on_invalid),
-                          figure (s.points_duplicate)});
-    labels.push_back ({s.group, std::to_string (s.scenes), figure (s.overlap.precision), figure (s.overlap.recall),
-                       figure (s.overlap.f), figure (s.best_of_scene), figure (s.center),
-                       figure (s.confidence_correlation)});
+    segments.push_back ({s.group, std::to_string (s.objects), std::to_string (s.attended), figureText (s.attended_first),
+                         figureText (s.attended_best), figureText (s.attended_all), figureText (s.strict_first),
+                         figureText (s.strict_best), figureText (s.strict_all)});
+    attention.push_back ({s.group, figureText (s.coverage), figureText (s.hits_within_5), figureText (s.hits_within_10),
+                          figureText (s.hits_within_objects), figureText (s.points_per_scene), figureText (s.points_per_object),
+                          figureText (s.points_on_objects), figureText (s.points_on_support), figureText (s.points_on_invalid),
+                          figureText (s.points_duplicate)});
+    labels.push_back ({s.group, std::to_string (s.scenes), figureText (s.overlap.precision), figureText (s.overlap.recall),
+                       figureText (s.overlap.f), figureText (s.best_of_scene), figureText (s.center),
+                       figureText (s.confidence_correlation)});
   }
   stream << "Ground truth: " << kind
          << (summaries.front ().kind == GroundTruthKind::objects ? " (label / 10)\n\n" : " (raw label)\n\n");
@@ -122,54 +118,73 @@ printTables (std::ostream& stream, const std::vector<Summary>& summaries)
   stream << '\n';
 }
 
+std::string
+summaryCsvHeader ()
+{
+  std::string header = "ground_truth,group,scenes,objects,attended,points";
+  for (const char* name : {"attended_first", "attended_best", "attended_all", "strict_first", "strict_best",
+                           "strict_all", "best_of_scene", "center"})
+    header += std::string (",") + name + "_f," + name + "_f_deviation";
+  return (header +
+          ",coverage,hits_within_5,hits_within_10,hits_within_objects,points_per_scene,points_per_object,"
+          "points_on_objects,points_on_support,points_on_invalid,points_duplicate,overlap_precision,overlap_recall,"
+          "overlap_f,confidence_correlation");
+}
+
+std::string
+summaryCsvRow (const Summary& s)
+{
+  std::ostringstream stream;
+  stream << toString (s.kind) << ',' << csvText (s.group) << ',' << s.scenes << ',' << s.objects << ',' << s.attended
+         << ',' << s.points;
+  for (const Distribution& distribution : {s.attended_first, s.attended_best, s.attended_all, s.strict_first,
+                                           s.strict_best, s.strict_all, s.best_of_scene, s.center})
+    stream << ',' << csvPair (distribution);
+  for (const double number :
+       {s.coverage, s.hits_within_5, s.hits_within_10, s.hits_within_objects, s.points_per_scene, s.points_per_object,
+        s.points_on_objects, s.points_on_support, s.points_on_invalid, s.points_duplicate, s.overlap.precision,
+        s.overlap.recall, s.overlap.f, s.confidence_correlation})
+    stream << ',' << csvNumber (number);
+  return (stream.str ());
+}
+
+std::string
+objectCsvHeader ()
+{
+  return ("scene,category,ground_truth,object,pixels,center_column,center_row,attended,points,first_rank,"
+          "first_precision,first_recall,first_f,best_f,all_f,best_of_scene_f,center_f");
+}
+
+std::string
+objectCsvRow (const SceneScore& scene, const RegionScore& r)
+{
+  std::ostringstream stream;
+  stream << csvText (scene.name) << ',' << csvText (scene.category) << ',' << toString (scene.kind) << ','
+         << r.region.label << ',' << r.region.pixels << ',' << r.region.center_column << ',' << r.region.center_row
+         << ',' << (r.attended () ? 1 : 0) << ',' << r.points << ',';
+  if (r.attended ())
+    stream << r.first_rank;
+  for (const double number :
+       {r.first.precision, r.first.recall, r.first.f, r.best.f, r.all_f, r.best_of_scene_f, r.center_f})
+    stream << ',' << csvNumber (number);
+  return (stream.str ());
+}
+
 void
 writeSummaryCsv (std::ostream& stream, const std::vector<Summary>& summaries)
 {
-  stream << "ground_truth,group,scenes,objects,attended,points";
-  for (const char* name : {"attended_first", "attended_best", "attended_all", "strict_first", "strict_best",
-                           "strict_all", "best_of_scene", "center"})
-    stream << ',' << name << "_f," << name << "_f_deviation";
-  stream << ",coverage,hits_within_5,hits_within_10,hits_within_objects,points_per_scene,points_per_object,points_on_"
-            "objects,"
-            "points_on_support,points_on_invalid,points_duplicate,overlap_precision,overlap_recall,overlap_f,"
-            "confidence_correlation\n";
-  for (const Summary& s : summaries)
-  {
-    stream << toString (s.kind) << ',' << quoted (s.group) << ',' << s.scenes << ',' << s.objects << ',' << s.attended
-           << ',' << s.points;
-    for (const Distribution& distribution : {s.attended_first, s.attended_best, s.attended_all, s.strict_first,
-                                             s.strict_best, s.strict_all, s.best_of_scene, s.center})
-      stream << ',' << value (distribution);
-    for (const double number :
-         {s.coverage, s.hits_within_5, s.hits_within_10, s.hits_within_objects, s.points_per_scene, s.points_per_object,
-          s.points_on_objects, s.points_on_support, s.points_on_invalid, s.points_duplicate, s.overlap.precision,
-          s.overlap.recall, s.overlap.f, s.confidence_correlation})
-      stream << ',' << value (number);
-    stream << '\n';
-  }
+  stream << summaryCsvHeader () << '\n';
+  for (const Summary& summary : summaries)
+    stream << summaryCsvRow (summary) << '\n';
 }
 
 void
 writeObjectsCsv (std::ostream& stream, const std::vector<SceneScore>& scenes)
 {
-  stream << "scene,category,ground_truth,object,pixels,center_column,center_row,attended,points,first_rank,first_"
-            "precision,"
-            "first_recall,first_f,best_f,all_f,best_of_scene_f,center_f\n";
+  stream << objectCsvHeader () << '\n';
   for (const SceneScore& scene : scenes)
-  {
-    for (const RegionScore& r : scene.regions)
-    {
-      stream << quoted (scene.name) << ',' << quoted (scene.category) << ',' << toString (scene.kind) << ','
-             << r.region.label << ',' << r.region.pixels << ',' << r.region.center_column << ',' << r.region.center_row
-             << ',' << (r.attended () ? 1 : 0) << ',' << r.points << ',';
-      if (r.attended ())
-        stream << r.first_rank;
-      for (const double number :
-           {r.first.precision, r.first.recall, r.first.f, r.best.f, r.all_f, r.best_of_scene_f, r.center_f})
-        stream << ',' << value (number);
-      stream << '\n';
-    }
-  }
+    for (const RegionScore& region : scene.regions)
+      stream << objectCsvRow (scene, region) << '\n';
 }
 
 } // namespace pcl_attention

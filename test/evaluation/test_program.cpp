@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // pcl_attention_evaluate as its users run it.
-#include "cases.h"
+#include "program_test.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/png_io.h>
 
-#include <sys/wait.h>
+#include <regex>
 
 namespace pcl_attention
 {
 namespace
 {
 
-struct Outcome
-{
-  int exit_code;
-  std::string output, errors;
-};
-
-class EvaluateProgram : public testing::Test
+class EvaluateProgram : public test::ProgramTest
 {
 protected:
-  test::TemporaryFolder folder_;
-
   /** \brief Two labelled scenes of 4x2 pixels in data/, exact results in results/. */
   EvaluateProgram ()
   {
@@ -39,22 +31,14 @@ protected:
       pcl::io::saveCharPNGFile (folder_ / (results + "mask_0001.png"), mask.data (), 4, 2, 1);
     }
   }
-
-  Outcome
-  run (const std::string& arguments) const
-  {
-    const std::string command = std::string ("cd '") + (folder_ / "") + "' && '" PCL_ATTENTION_EVALUATE "' " +
-                                arguments + " > output.txt 2> errors.txt";
-    const int status = std::system (command.c_str ());
-    return {WEXITSTATUS (status), test::readText (folder_ / "output.txt"), test::readText (folder_ / "errors.txt")};
-  }
 };
 
 TEST_F (EvaluateProgram, scoresAFolder)
 {
-  const Outcome result = run ("data -results results -csv objects.csv -summary_csv summary.csv");
+  const test::Outcome result = run ("data -results results -csv objects.csv -summary_csv summary.csv");
   EXPECT_EQ (result.exit_code, 0) << result.errors;
-  EXPECT_EQ (result.errors, "scene 1/2 first\nscene 2/2 second\n");
+  EXPECT_TRUE (std::regex_match (result.errors, std::regex ("scene 1/2 first, \\d+ s left\nscene 2/2 second\n")))
+      << result.errors;
   EXPECT_NE (result.output.find ("Ground truth: objects"), std::string::npos);
   EXPECT_NE (result.output.find ("Ground truth: parts"), std::string::npos);
   EXPECT_NE (result.output.find ("1.000 +-0.000"), std::string::npos);
@@ -68,7 +52,7 @@ TEST_F (EvaluateProgram, scoresAFolder)
 
 TEST_F (EvaluateProgram, oneSceneOnOneGroundTruthIsQuiet)
 {
-  const Outcome result = run ("data/first.pcd -results results -ground_truth parts");
+  const test::Outcome result = run ("data/first.pcd -results results -ground_truth parts");
   EXPECT_EQ (result.exit_code, 0);
   EXPECT_EQ (result.errors, "");
   EXPECT_EQ (result.output.find ("Ground truth: objects"), std::string::npos);
@@ -78,7 +62,7 @@ TEST_F (EvaluateProgram, oneSceneOnOneGroundTruthIsQuiet)
 TEST_F (EvaluateProgram, aBrokenSceneIsAnErrorThatNamesTheFileAndWritesNothing)
 {
   std::filesystem::remove (folder_ / "results/second/mask_0001.png");
-  const Outcome result = run ("data -results results -csv objects.csv -summary_csv summary.csv");
+  const test::Outcome result = run ("data -results results -csv objects.csv -summary_csv summary.csv");
   EXPECT_EQ (result.exit_code, 1);
   EXPECT_EQ (result.output, "");
   EXPECT_NE (result.errors.find ("pcl_attention_evaluate: results/second/mask_0001.png: missing\n"), std::string::npos)
@@ -99,7 +83,7 @@ TEST_F (EvaluateProgram, missingThingsAreErrors)
 
 TEST_F (EvaluateProgram, asksForEveryObject)
 {
-  const Outcome result = run ("data -asked_for all");
+  const test::Outcome result = run ("data -asked_for all");
   EXPECT_EQ (result.exit_code, 0) << result.errors;
   // Scenes of 8 pixels have no segments: the rank is one more than there are.
   for (const char* kind : {"map", "region", "exemplar", "color_name", "size", "coarse_distance"})
@@ -114,9 +98,17 @@ TEST_F (EvaluateProgram, aBadCommandLineIsAnErrorOfItsOwn)
   EXPECT_EQ (run ("").exit_code, 2);
   EXPECT_EQ (run ("data -results").exit_code, 2);
   EXPECT_EQ (run ("data -results results -unknown").exit_code, 2);
-  const Outcome result = run ("data -results results -ground_truth pixels");
+  const test::Outcome result = run ("data -results results -ground_truth pixels");
   EXPECT_EQ (result.exit_code, 2);
   EXPECT_NE (result.errors.find ("-ground_truth is objects, parts or both, not \"pixels\""), std::string::npos);
+  EXPECT_EQ (run ("data -systems proposed,mine").exit_code, 2);
+  EXPECT_NE (run ("data -systems mine").errors.find ("of proposed, paper"), std::string::npos);
+  for (const char* values : {"", "5,", "0", "5mm", "-1", "nan"})
+    EXPECT_EQ (run (std::string ("data -sweep '") + values + "'").exit_code, 2) << values;
+  for (const char* shard : {"1", "0/2", "3/2", "1/2/3", "a/b", "1/"})
+    EXPECT_EQ (run (std::string ("data -output_dir out -shard ") + shard).exit_code, 2) << shard;
+  EXPECT_EQ (run ("data -shard 1/2").exit_code, 2);
+  EXPECT_EQ (run ("data -jobs -1").exit_code, 2);
   EXPECT_EQ (run ("-h").exit_code, 0);
 }
 
