@@ -4,9 +4,13 @@
 #include "evaluation/prediction_of_segments.h"
 #include "evaluation/results.h"
 #include "number_text.h"
+#include "systems/attention_system.h"
+
+#include <pcl/common/io.h>
 #include <pcl/segmentation/attention_segmentation.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 
@@ -50,24 +54,31 @@ moduleWith (const std::string& name, const NamedParameters& parameters)
   return (system);
 }
 
-struct NamedSystem
-{
-  const char* name;
-  EvaluatedSystem (*make) (const std::string& name, const NamedParameters& own);
-};
-
+/** \brief Another row of the paper's Table I. */
 EvaluatedSystem
-makeModule (const std::string& name, const NamedParameters& own)
+otherSystem (const std::string& name)
 {
-  return (moduleWith (name, parametersOfSystem (name, own)));
-}
-
-// Another system is one more line.
-const std::vector<NamedSystem>&
-namedSystems ()
-{
-  static const std::vector<NamedSystem> systems{{"proposed", makeModule}, {"paper", makeModule}};
-  return (systems);
+  const SystemSettings settings;
+  EvaluatedSystem system;
+  system.name = name;
+  if (name == "M11")
+    system.note = "at most " + std::to_string (settings.simple_objects.maximum_fixations) + " boundaries a scene";
+  else
+    system.note = "at most " + std::to_string (settings.maximum_fixations) + " fixations a scene";
+  system.parameters = {{"limit", system.note}};
+  system.run = [name] (const LabelledScene& scene, unsigned int threads) {
+    const pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZRGB>);
+    pcl::copyPointCloud (*scene.cloud, *cloud);
+    SystemSettings own;
+    own.threads = static_cast<int> (std::max (1u, threads));
+    const auto begin = std::chrono::steady_clock::now ();
+    const std::vector<AttentionSegment> segments = makeSystem (name, own)->segment (cloud);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now () - begin;
+    return (SystemOutput{
+        predictionOfSegments (static_cast<int> (cloud->width), static_cast<int> (cloud->height), segments),
+        {{"total", time.count ()}}});
+  };
+  return (system);
 }
 
 } // namespace
@@ -76,9 +87,8 @@ const std::vector<std::string>&
 evaluatedSystemNames ()
 {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const NamedSystem& system : namedSystems ())
-      all.emplace_back (system.name);
+    std::vector<std::string> all = systemNames ();
+    all.emplace_back ("paper");
     return (all);
   }();
   return (names);
@@ -87,10 +97,12 @@ evaluatedSystemNames ()
 EvaluatedSystem
 makeEvaluatedSystem (const std::string& name, const NamedParameters& own)
 {
-  for (const NamedSystem& system : namedSystems ())
-    if (name == system.name)
-      return (system.make (name, own));
-  throw std::invalid_argument ("no system \"" + name + "\"");
+  if (name == "proposed" || name == "paper")
+    return (moduleWith (name, parametersOfSystem (name, own)));
+  const std::vector<std::string>& names = evaluatedSystemNames ();
+  if (std::find (names.begin (), names.end (), name) == names.end ())
+    throw std::invalid_argument ("no system \"" + name + "\"");
+  return (otherSystem (name));
 }
 
 EvaluatedSystem

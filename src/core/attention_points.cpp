@@ -83,7 +83,7 @@ extractWinners (const Image<float>& saliency, const std::vector<std::uint8_t>& v
   result.components.assign (saliency.width, saliency.height, 0);
   result.skeleton.assign (saliency.width, saliency.height, 0);
   const int reach = parameters.winner_cell_size;
-  for (const Winner& winner : findWinners (saliency, parameters.winner_cell_size, parameters.inhibition_width))
+  for (const Winner& winner : findWinners (saliency, parameters.winner_cell_size, parameters.pixel_threshold, parameters.inhibition_width))
   {
     std::vector<Pixel> around;
     for (int row = winner.pixel.row - reach; row <= winner.pixel.row + reach; ++row)

@@ -109,7 +109,7 @@ makeTable ()
     .choice ("strategy", &AttentionPointParameters::strategy, {"symmetry_lines", "winner_take_all", "image_winner_take_all"}, "III-C, V-A",
              "how attention points are chosen: TJ3D, WTA3D or WTA2D")
     .number ("pixel_threshold", &AttentionPointParameters::pixel_threshold, 0, 1, "share", "III-C",
-             "of the map's maximum, that a pixel must exceed; 0: S > 0 as printed")
+             "of the map's maximum, that a pixel or a winner's cell must exceed; 0: S > 0 as printed")
     .number ("component_threshold", &AttentionPointParameters::component_threshold, 0, 1, "share", "III-C, theta_sal",
              "of the map's maximum, that a component's mean must exceed")
     .toggle ("all_junctions", &AttentionPointParameters::all_junctions, "III-C",

@@ -39,7 +39,7 @@ salientPart (float value)
 }
 
 std::vector<Neuron>
-makeNeurons (const Image<float>& map, int cell_size)
+makeNeurons (const Image<float>& map, int cell_size, float threshold)
 {
   std::vector<Neuron> neurons;
   for (int top = 0; top < map.height; top += cell_size)
@@ -56,6 +56,9 @@ makeNeurons (const Image<float>& map, int cell_size)
   float maximum = 0.0f;
   for (const Neuron& neuron : neurons)
     maximum = std::max (maximum, neuron.saliency);
+  neurons.erase (std::remove_if (neurons.begin (), neurons.end (),
+                                 [&] (const Neuron& neuron) { return (neuron.saliency <= threshold * maximum); }),
+                 neurons.end ());
   for (Neuron& neuron : neurons)
     neuron.input = full_input * neuron.saliency / maximum;
   return (neurons);
@@ -118,10 +121,10 @@ salientCenter (const Image<float>& map, const Neuron& neuron, int cell_size)
 } // namespace
 
 std::vector<Winner>
-findWinners (const Image<float>& saliency, int cell_size, float inhibition_width)
+findWinners (const Image<float>& saliency, int cell_size, float threshold, float inhibition_width)
 {
   std::vector<Winner> winners;
-  std::vector<Neuron> neurons = makeNeurons (saliency, cell_size);
+  std::vector<Neuron> neurons = makeNeurons (saliency, cell_size, threshold);
   for (int step = 0; step < most_steps && !neurons.empty (); ++step)
   {
     Neuron* const winner = charge (neurons);

@@ -42,7 +42,7 @@ TEST (WinnerTakeAll, looksAtTheMostSalientFirst)
   addBlob (map, 40, 40, 5, 0.5f);
   addBlob (map, 200, 120, 5, 1.0f);
   addBlob (map, 280, 200, 5, 0.25f);
-  const std::vector<Winner> winners = findWinners (map, cell, width);
+  const std::vector<Winner> winners = findWinners (map, cell, 0.0f, width);
   EXPECT_EQ (pixelsOf (winners), (std::vector<Pixel>{{200, 120}, {40, 40}, {280, 200}}));
   // A blob of 121 pixels in a cell of 256; those of 40 and 200 lie in the middle of theirs.
   EXPECT_NEAR (winners[1].saliency, 0.5 * 121 / 256, 1e-6);
@@ -55,7 +55,7 @@ TEST (WinnerTakeAll, chargesByTheMapsOwnScale)
   addBlob (map, 200, 120, 5, 1.0f);
   for (std::size_t index = 0; index < map.size (); ++index)
     scaled[index] = 1000.0f * map[index];
-  EXPECT_EQ (pixelsOf (findWinners (map, cell, width)), pixelsOf (findWinners (scaled, cell, width)));
+  EXPECT_EQ (pixelsOf (findWinners (map, cell, 0.0f, width)), pixelsOf (findWinners (scaled, cell, 0.0f, width)));
 }
 
 TEST (WinnerTakeAll, cannotFireWithTooLittle)
@@ -66,14 +66,23 @@ TEST (WinnerTakeAll, cannotFireWithTooLittle)
     Image<float> map (320, 240, 0.0f);
     addBlob (map, 40, 40, 5, 1.0f);
     addBlob (map, 200, 120, 5, share);
-    EXPECT_EQ (findWinners (map, cell, width).size (), count) << share;
+    EXPECT_EQ (findWinners (map, cell, 0.0f, width).size (), count) << share;
   }
+}
+
+TEST (WinnerTakeAll, leavesOutWhatIsUnderTheThreshold)
+{
+  Image<float> map (320, 240, 0.0f);
+  addBlob (map, 40, 40, 5, 1.0f);
+  addBlob (map, 200, 120, 5, 0.3f);
+  EXPECT_EQ (findWinners (map, cell, 0.25f, width).size (), 2u);
+  EXPECT_EQ (findWinners (map, cell, 0.35f, width).size (), 1u);
 }
 
 TEST (WinnerTakeAll, inhibitsTheReturnAndTheNeighbours)
 {
   // A plateau is alike everywhere: the next winner is out of the inhibition, which reaches about three widths.
-  const std::vector<Winner> winners = findWinners (Image<float> (640, 480, 1.0f), cell, width);
+  const std::vector<Winner> winners = findWinners (Image<float> (640, 480, 1.0f), cell, 0.0f, width);
   ASSERT_GT (winners.size (), 3u);
   for (std::size_t i = 1; i < 3; ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -86,18 +95,18 @@ TEST (WinnerTakeAll, inhibitsTheReturnAndTheNeighbours)
 TEST (WinnerTakeAll, wideInhibitionLeavesFewerWinners)
 {
   const Image<float> map (640, 480, 1.0f);
-  EXPECT_LT (findWinners (map, cell, 2.0f).size (), findWinners (map, cell, width).size ());
+  EXPECT_LT (findWinners (map, cell, 0.0f, 2.0f).size (), findWinners (map, cell, 0.0f, width).size ());
 }
 
 TEST (WinnerTakeAll, endsWhereNothingIsSalient)
 {
-  EXPECT_TRUE (findWinners (Image<float> (64, 48, 0.0f), cell, width).empty ());
-  EXPECT_TRUE (findWinners (Image<float> (), cell, width).empty ());
+  EXPECT_TRUE (findWinners (Image<float> (64, 48, 0.0f), cell, 0.0f, width).empty ());
+  EXPECT_TRUE (findWinners (Image<float> (), cell, 0.0f, width).empty ());
   Image<float> map (64, 48, std::numeric_limits<float>::quiet_NaN ());
   map (20, 20) = -1.0f;
-  EXPECT_TRUE (findWinners (map, cell, width).empty ());
+  EXPECT_TRUE (findWinners (map, cell, 0.0f, width).empty ());
   map (40, 24) = 1.0f;
-  EXPECT_EQ (pixelsOf (findWinners (map, cell, width)), (std::vector<Pixel>{{40, 24}}));
+  EXPECT_EQ (pixelsOf (findWinners (map, cell, 0.0f, width)), (std::vector<Pixel>{{40, 24}}));
 }
 
 TEST (WinnerTakeAll, givesPointsOnValidPixels)

@@ -34,7 +34,8 @@ enum class AttentionStrategy
 struct AttentionPointParameters
 {
   AttentionStrategy strategy{AttentionStrategy::symmetry_lines};
-  float pixel_threshold{0.1f};     /**< share of the map's maximum a pixel must exceed to be in a component, 0..1; 0: eq. "S > 0" */
+  float pixel_threshold{0.1f};     /**< share of the map's maximum a pixel must exceed to be in a component, 0..1; 0: eq. "S > 0";
+                                     of a winner's cell likewise */
   float component_threshold{0.1f}; /**< theta_sal: share of the map's maximum the component's mean must exceed, 0..1 */
   bool all_junctions{true};        /**< every junction of a component, or only the most salient one */
   float junction_merge_radius{3.0f}; /**< junctions nearer than this are one, pixels */
