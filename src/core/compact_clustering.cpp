@@ -253,34 +253,42 @@ ColorHistogram
 CompactClustering::notObject (const Piece& piece) const
 {
   Image<std::uint8_t> enlarged (cloud_.width, cloud_.height, 0);
-  ColorHistogram within;
-  const auto enlarge = [&] (pcl::index_t index, std::vector<pcl::index_t>& ring) {
-    enlarged[index] = 1;
-    ring.push_back (index);
-    if (cloud_.valid[index])
-      within.add (color_bins_[index]);
+  for (const int label : piece.patches)
+    for (const pcl::index_t index : patches_.patches[label - 1].pixels)
+      enlarged[index] = 1;
+  const auto forFreeNeighbors = [&] (pcl::index_t index, const auto& visit) {
+    const int column = index % cloud_.width, row = index / cloud_.width;
+    const int left = std::max (0, column - 1), right = std::min (cloud_.width - 1, column + 1);
+    for (int r = std::max (0, row - 1); r <= std::min (cloud_.height - 1, row + 1); ++r)
+      for (pcl::index_t neighbor = r * cloud_.width + left; neighbor <= r * cloud_.width + right; ++neighbor)
+        if (!enlarged[neighbor])
+          visit (neighbor);
   };
   std::vector<pcl::index_t> front;
   for (const int label : piece.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
-      enlarge (index, front);
+    {
+      bool on_contour = false;
+      forFreeNeighbors (index, [&] (pcl::index_t) { on_contour = true; });
+      if (on_contour)
+        front.push_back (index);
+    }
   // Ring by ring, every pixel of the image counting, until the area is doubled.
-  const std::size_t doubled = 2 * front.size ();
-  std::size_t area = front.size ();
-  while (area < doubled && !front.empty ())
+  ColorHistogram within = piece.histogram;
+  int to_add = piece.pixels;
+  while (to_add > 0 && !front.empty ())
   {
     std::vector<pcl::index_t> next;
     for (const pcl::index_t index : front)
-    {
-      const int column = index % cloud_.width, row = index / cloud_.width;
-      for (int r = row - 1; r <= row + 1; ++r)
-        for (int c = column - 1; c <= column + 1; ++c)
-          if (enlarged.contains (c, r) && !enlarged (c, r) && area < doubled)
-          {
-            enlarge (r * cloud_.width + c, next);
-            ++area;
-          }
-    }
+      forFreeNeighbors (index, [&] (pcl::index_t neighbor) {
+        if (to_add == 0)
+          return;
+        enlarged[neighbor] = 1;
+        next.push_back (neighbor);
+        --to_add;
+        if (cloud_.valid[neighbor])
+          within.add (color_bins_[neighbor]);
+      });
     front = std::move (next);
   }
   ColorHistogram histogram = scene_histogram_;
