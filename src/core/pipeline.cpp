@@ -213,12 +213,13 @@ AttentionPipeline::changeParameters (const AttentionParameters& parameters)
     normals_.reset ();
     times_.normals = 0.0;
   }
-  if (saliency_changed || image_saliency_changed)
+  if (saliency_changed)
   {
     saliency_.reset ();
-    image_saliency_.reset ();
     times_.saliency = 0.0;
   }
+  if (image_saliency_changed)
+    image_saliency_.reset ();
   if (points_changed || (patches_changed && !prior_.empty ()))
     forgetAttentionPoints ();
   if (patches_changed)
@@ -286,7 +287,7 @@ AttentionPipeline::imageSaliency ()
 {
   if (!image_saliency_)
   {
-    const StageTimer timer (times_.saliency);
+    const StageTimer timer (times_.attention_points); // only the attention points are made of it
     image_saliency_ = computeImageSaliency (cloud_, parameters_.image_symmetry, threads_);
   }
   return (*image_saliency_);

@@ -103,6 +103,12 @@ TEST (Pipeline, keepsTheStagesThatDoNotDependOnAChange)
   EXPECT_EQ (pipeline.times ().attention_points, first.attention_points);
   EXPECT_EQ (pipeline.times ().patches, first.patches);
 
+  parameters.image_symmetry.levels = 2;
+  pipeline.changeParameters (parameters);
+  EXPECT_EQ (pipeline.times ().attention_points, 0.0);
+  allSegments (pipeline);
+  EXPECT_EQ (pipeline.times ().saliency, first.saliency);
+
   parameters.saliency.levels = 3;
   pipeline.changeParameters (parameters);
   EXPECT_EQ (pipeline.times ().saliency, 0.0);
