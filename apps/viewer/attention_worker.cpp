@@ -245,6 +245,8 @@ AttentionWorker::findObjects (const AttentionRequest& request, AttentionResults&
          [&] () -> const NormalImage& { return (pipeline_.normals ()); });
   stage (results.saliency, last_.saliency, kept.saliency > 0.0,
          [&] () -> const SaliencyMaps& { return (pipeline_.saliency ()); });
+  if (request.parameters.attention_points.strategy == AttentionStrategy::image_winner_take_all)
+    results.image_saliency = std::make_shared<Image<float>> (pipeline_.imageSaliency ());
   stage (results.attention_points, last_.attention_points, kept.attention_points > 0.0,
          [&] () -> const AttentionPoints& { return (pipeline_.attentionPoints ()); });
   stage (results.patches, last_.patches, kept.patches > 0.0, [&] () -> const PlanarPatches& {

@@ -33,6 +33,7 @@ struct AttentionResults
   AttentionParameters parameters; /**< that it was computed with */
   std::shared_ptr<const NormalImage> normals;
   std::shared_ptr<const SaliencyMaps> saliency;
+  std::shared_ptr<const Image<float>> image_saliency; /**< only where the fixations come from it */
   std::shared_ptr<const AttentionPoints> attention_points;
   std::shared_ptr<const PlanarPatches> patches;
   std::shared_ptr<const PatchGraph> patch_graph;

@@ -73,9 +73,11 @@ paintNormals (const NormalImage& normals, Image<Color>& picture)
 void
 paintSaliency (const ViewerModel& model, Image<Color>& picture)
 {
-  const SaliencyMaps& maps = *model.results ().saliency;
+  const AttentionResults& results = model.results ();
   const int level = model.saliencyLevel ();
-  const Image<float>& map = level == 0 ? maps.saliency : maps.levels[level - 1].symmetry;
+  const Image<float>& map = level > 0                ? results.saliency->levels[level - 1].symmetry
+                            : results.image_saliency ? *results.image_saliency
+                                                     : results.saliency->saliency;
   float maximum = 1.0f;
   if (level > 0)
     maximum = std::max (1e-9f, *std::max_element (map.data.begin (), map.data.end ()));
@@ -190,6 +192,12 @@ addOutline (const AttentionSegment& segment, int width, int height, Overlay& ove
       overlay.colors.push_back (segmentColor (segment.rank));
     }
   }
+}
+
+bool
+hasSkeletons (const ViewerModel& model)
+{
+  return (model.results ().parameters.attention_points.strategy == AttentionStrategy::symmetry_lines);
 }
 
 void
@@ -317,9 +325,11 @@ titleOf (const ViewerModel& model, View view)
   case View::color:
     return (model.switches.normals ? "Normals" : "Colour");
   case View::saliency:
-    return (model.saliencyLevel () == 0 ? "Saliency" : "Saliency, level " + std::to_string (model.saliencyLevel ()));
+    if (model.saliencyLevel () > 0)
+      return ("Saliency, level " + std::to_string (model.saliencyLevel ()));
+    return (model.results ().image_saliency ? "Saliency of the colours" : "Saliency");
   case View::points:
-    return ("Skeletons and fixations");
+    return (hasSkeletons (model) ? "Skeletons and fixations" : "Fixations");
   case View::patches:
     return (model.step () >= 0 ? "Growth of object " + std::to_string (model.selected ()->rank) : "Patches");
   case View::segments:
@@ -336,7 +346,11 @@ legendOf (const ViewerModel& model, View view)
   if (view == View::color && model.switches.normals)
     legend = {{{255, 128, 128}, "to the right"}, {{128, 255, 128}, "up"}, {{128, 128, 255}, "to the camera"}};
   if (view == View::points && model.switches.skeletons)
-    legend = {{line_color, "skeleton"}, {candidate_color, "attention point"}};
+  {
+    if (hasSkeletons (model))
+      legend.push_back ({line_color, "skeleton"});
+    legend.push_back ({candidate_color, "attention point"});
+  }
   if (view == View::patches && model.step () >= 0)
     legend = {{grown, "object so far"}, {good, "accepted"}, {bad, "refused"}};
   if (view == View::patches && model.switches.convexity)

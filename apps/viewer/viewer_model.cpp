@@ -64,7 +64,8 @@ knobs ()
                                        {"color_constraint", "colour constraint", 0.0, 2.0, 1.0},
                                        {"window_radius", "symmetry window", 1.0, 8.0, 1.0},
                                        {"levels", "pyramid levels", 1.0, 6.0, 1.0},
-                                       {"convexity_gate", "convexity gate", 0.0, 1.0, 1.0}};
+                                       {"convexity_gate", "convexity gate", 0.0, 1.0, 1.0},
+                                       {"strategy", "attention", 0.0, 2.0, 1.0}};
   return (table);
 }
 

@@ -220,6 +220,34 @@ TEST_F (Viewer, aKnobChangesTheObjectsAndOnlyWhatDependsOnIt)
     EXPECT_EQ (model_.results ().segments[k].indices, before.segments[k].indices);
 }
 
+TEST_F (Viewer, theWayOfAttentionIsAKnobAndItsMapIsShown)
+{
+  const AttentionResults before = model_.results ();
+  const auto saliencyPicture = [this] { return (paintView (model_, View::saliency).data); };
+  const std::vector<Color> picture = saliencyPicture ();
+  EXPECT_TRUE (model_.setKnob (knob ("strategy"), 2.0));
+  EXPECT_EQ (model_.knobText (knob ("strategy")), "image winner take all");
+  compute ();
+  for (const AttentionPoint& point : model_.results ().attention_points->points)
+    EXPECT_EQ (point.kind, AttentionPointKind::winner);
+  EXPECT_EQ (model_.results ().saliency, before.saliency) << "the very same maps";
+  EXPECT_NE (saliencyPicture (), picture);
+  EXPECT_EQ (titleOf (model_, View::saliency), "Saliency of the colours");
+  EXPECT_EQ (titleOf (model_, View::points), "Fixations");
+  ASSERT_EQ (legendOf (model_, View::points).size (), 1u);
+
+  EXPECT_TRUE (model_.setKnob (knob ("strategy"), 1.0));
+  compute ();
+  EXPECT_EQ (titleOf (model_, View::saliency), "Saliency") << "winners of the map of the normals' symmetry";
+  EXPECT_EQ (saliencyPicture (), picture);
+
+  model_.resetParameters ();
+  compute ();
+  EXPECT_EQ (titleOf (model_, View::points), "Skeletons and fixations");
+  EXPECT_EQ (legendOf (model_, View::points).size (), 2u);
+  EXPECT_EQ (model_.segments ().size (), before.segments.size ());
+}
+
 TEST_F (Viewer, everyKnobIsAParameterOfTheTable)
 {
   for (const Knob& each : knobs ())

@@ -10,7 +10,7 @@ programs=$1
 readonly viewer=$programs/pcl_attention_viewer segment=$programs/pcl_attention_segment
 readonly width=800 height=600 # of the window; below are places in it, as the layout makes them
 readonly colour_view=(0 0 264 281) saliency_view=(266 0 264 281) patches_view=(0 283 264 281) objects_view=(266 283 264 281)
-readonly theta_knob=(609 429) theta_low=(549 429)
+readonly theta_knob=(609 404) theta_low=(549 404)
 readonly first_color=(77 175 74) second_color=(228 26 28)
 
 for tool in xdotool wmctrl openbox; do
