@@ -61,8 +61,6 @@ Frame::Frame (const SceneCloud::ConstPtr& input) : scene (input), cloud (gather 
   computeSaliency (cloud, normals, parameters.saliency, 1, saliency);
   extractAttentionPoints (saliency.saliency, cloud.valid, parameters.attention_points, points);
   extractPlanarPatches (cloud, normals, parameters.patches, patches);
-  graph = buildPatchGraph (cloud, normals, patches.labels, static_cast<int> (patches.patches.size ()),
-                           parameters.patch_graph);
 }
 
 void
@@ -107,8 +105,7 @@ measureStages (const std::vector<Frame>& frames)
   });
   measure ("supporting_planes", frames, [] (const Frame& frame) {
     benchmark::DoNotOptimize (
-        findSupportingPlanes (frame.cloud, frame.normals, frame.patches,
-                              [&] () -> const PatchGraph& { return (frame.graph); }, parameters.support));
+        findSupportingPlanes (frame.cloud, frame.normals, parameters.support));
   });
   measure ("first_object/one_thread", frames, [] (const Frame& frame) { segmentFirstObject (frame, 1); });
   measure ("first_object/two_threads", frames, [] (const Frame& frame) { segmentFirstObject (frame, 2); });

@@ -21,7 +21,6 @@ struct Frame
   SaliencyMaps saliency;
   AttentionPoints points;
   PlanarPatches patches;
-  PatchGraph graph;
 };
 
 /** \brief Register the stages, each on one thread, and the whole frame. The frames must outlive the measurements. */

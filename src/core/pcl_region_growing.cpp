@@ -87,7 +87,8 @@ private:
 } // namespace
 
 void
-growWithPcl (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters, Image<int>& labels)
+growWithPcl (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters, Image<int>& labels,
+             int label)
 {
   pcl::PointCloud<pcl::PointXYZ>::Ptr points (new pcl::PointCloud<pcl::PointXYZ> (cloud.width, cloud.height));
   pcl::PointCloud<pcl::Normal>::Ptr point_normals (new pcl::PointCloud<pcl::Normal> (cloud.width, cloud.height));
@@ -96,7 +97,7 @@ growWithPcl (const OrganizedCloud& cloud, const NormalImage& normals, const Patc
   {
     (*points)[index] = pcl::PointXYZ (cloud.x[index], cloud.y[index], cloud.z[index]);
     (*point_normals)[index] = pcl::Normal (normals.x[index], normals.y[index], normals.z[index], normals.curvature[index]);
-    if (cloud.valid[index] && normals.valid[index])
+    if (cloud.valid[index] && normals.valid[index] && labels[index] == 0)
       indices->push_back (static_cast<pcl::index_t> (index));
   }
   if (indices->empty ())
@@ -108,7 +109,6 @@ growWithPcl (const OrganizedCloud& cloud, const NormalImage& normals, const Patc
   growing.setIndices (indices);
   std::vector<pcl::PointIndices> clusters;
   growing.extract (clusters);
-  int label = 0;
   for (const pcl::PointIndices& cluster : clusters)
   {
     ++label;

@@ -331,25 +331,24 @@ AttentionPipeline::preparePatches ()
     return;
   normals ();
   const StageTimer timer (times_.patches);
+  supporting_planes_ = findSupportingPlanes (cloud_, *normals_, parameters_.support);
+  const bool stays_off = !supporting_planes_->empty () && parameters_.clustering.stay_off_support;
   if (!patches_)
   {
+    // What the planes take needs no growing.
+    Image<int> taken = labelPlanes (cloud_, stays_off ? *supporting_planes_ : std::vector<SupportingPlane> ());
     patches_.emplace ();
-    extractPlanarPatches (cloud_, *normals_, parameters_.patches, *patches_);
+    extractPlanarPatches (cloud_, *normals_, std::move (taken), parameters_.patches, *patches_);
+    if (stays_off)
+    {
+      support_patches_.assign (patches_->patches.size () + 1, 0);
+      std::fill_n (support_patches_.begin () + 1, supporting_planes_->size (), 1);
+    }
   }
-  const auto graph = [this] {
-    return (buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
-                             parameters_.patch_graph));
-  };
-  std::optional<PatchGraph> uncut;
-  supporting_planes_ = findSupportingPlanes (cloud_, *normals_, *patches_, [&] () -> const PatchGraph& {
-    return (uncut.emplace (graph ()));
-  }, parameters_.support);
-  if (!supporting_planes_->empty () && parameters_.clustering.stay_off_support)
-  {
+  else if (stays_off)
     support_patches_ = cutAlongPlanes (cloud_, *supporting_planes_, parameters_.patches, *patches_);
-    uncut.reset ();
-  }
-  patch_graph_ = uncut ? std::move (*uncut) : graph ();
+  patch_graph_ = buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
+                                  parameters_.patch_graph);
   if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
     over_support_ = findPointsOver (cloud_, supporting_planes_->front ());
   for (SupportingPlane& plane : *supporting_planes_)

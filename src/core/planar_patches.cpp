@@ -125,9 +125,17 @@ void
 extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters,
                       PlanarPatches& result)
 {
-  result = PlanarPatches ();
-  result.labels.assign (cloud.width, cloud.height, 0);
-  (parameters.method == PatchMethod::grid_growing ? growOnGrid : growWithPcl) (cloud, normals, parameters, result.labels);
+  extractPlanarPatches (cloud, normals, Image<int> (cloud.width, cloud.height, 0), parameters, result);
+}
+
+void
+extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, Image<int>&& taken,
+                      const PatchParameters& parameters, PlanarPatches& result)
+{
+  const int last = taken.size () == 0 ? 0 : *std::max_element (taken.data.begin (), taken.data.end ());
+  result.labels = std::move (taken);
+  (parameters.method == PatchMethod::grid_growing ? growOnGrid : growWithPcl) (cloud, normals, parameters, result.labels,
+                                                                               last);
   if (parameters.reassign_distance > 0.0f)
     reassignLeftOvers (cloud, parameters.reassign_distance, result.labels);
   describePatches (cloud, result);

@@ -64,7 +64,8 @@ private:
 } // namespace
 
 void
-growOnGrid (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters, Image<int>& labels)
+growOnGrid (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters, Image<int>& labels,
+            int label)
 {
   // A closed row above and below the image and marks on its first and last column spare the border tests.
   constexpr std::uint8_t open = 1, first_column = 2, last_column = 4;
@@ -77,7 +78,7 @@ growOnGrid (const OrganizedCloud& cloud, const NormalImage& normals, const Patch
     for (int column = 0; column < width; ++column, ++pixel)
     {
       cells[pixel] = static_cast<std::uint8_t> ((column == 0 ? first_column : 0) | (column == width - 1 ? last_column : 0));
-      if (cloud.valid[pixel] && normals.valid[pixel])
+      if (cloud.valid[pixel] && normals.valid[pixel] && labels[pixel] == 0)
       {
         cells[pixel] |= open;
         pixels.push_back (pixel);
@@ -94,7 +95,6 @@ growOnGrid (const OrganizedCloud& cloud, const NormalImage& normals, const Patch
   CurvatureBuckets buckets (normals.curvature, pixels);
   std::vector<int>& region = pixels; // the buckets have their own
   GrowingPlane plane (parameters);
-  int label = 0;
   const auto grow = [&] (int seed) {
     std::size_t size = 0;
     region[size++] = seed;

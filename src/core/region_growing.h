@@ -68,13 +68,16 @@ private:
 };
 
 /** \brief Label the regions that grow from the points of lowest curvature, of equal ones from the first.
-  * \param[in,out] labels of the cloud's size, 0; regions are 1, 2, ... in the order they are grown, without those under the
+  * \param[in,out] labels of the cloud's size; pixels with one are taken already
+  * \param[in] label of the patch before; the regions have those after it, in the order they are grown, without those under the
   * minimum size */
 void
-growOnGrid (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters, Image<int>& labels);
+growOnGrid (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters, Image<int>& labels,
+            int label);
 
 /** \brief The same with pcl::RegionGrowing, in which points of equal curvature come in any order. */
 void
-growWithPcl (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters, Image<int>& labels);
+growWithPcl (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters, Image<int>& labels,
+             int label);
 
 } // namespace pcl_attention

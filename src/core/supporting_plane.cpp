@@ -167,11 +167,10 @@ arraysOf (const OrganizedCloud& cloud, const NormalImage& normals, std::size_t f
           normals.y.data () + first, normals.z.data () + first, cloud.valid.data () + first};
 }
 
-/** \brief Points within a tolerance of a plane.
-  * \param[in] row_step 1 for all rows, 2 for every second one, ... */
+/** \brief Points within a tolerance of a plane. */
 pcl::Indices
 pointsOf (const OrganizedCloud& cloud, const NormalImage& normals, float noise, const SupportParameters& parameters,
-          const BentPlane& surface, int row_step)
+          const BentPlane& surface)
 {
   SurfaceTest test;
   std::copy_n (surface.plane.normal.data (), 3, test.normal);
@@ -183,7 +182,7 @@ pointsOf (const OrganizedCloud& cloud, const NormalImage& normals, float noise, 
   test.minimum_cosine = std::cos (0.6f);
   std::vector<std::uint8_t> near (cloud.width);
   pcl::Indices indices;
-  for (int row = 0; row < cloud.height; row += row_step)
+  for (int row = 0; row < cloud.height; ++row)
   {
     const pcl::index_t first = row * cloud.width;
     laneKernels ().pointsNear (arraysOf (cloud, normals, first), near.size (), test, near.data ());
@@ -256,61 +255,100 @@ touchesImageBorder (const OrganizedCloud& cloud, const pcl::Indices& indices)
   }));
 }
 
-/** \brief Pairs of a patch's border that are connected where the surface bends inwards.
-  * \param[in] label 0: of no patch in the graph */
+/** \brief Pairs of a patch's border that are connected where the surface bends inwards. */
 double
 concaveBorder (const PatchGraph& graph, int label)
 {
   double concave = 0.0;
-  if (label > 0)
-    for (const int neighbor : graph.neighbors[label])
-    {
-      const PatchBorder border = graph.border (label, neighbor);
-      if (border.convexity () < -0.2f)
-        concave += border.connected;
-    }
+  for (const int neighbor : graph.neighbors[label])
+  {
+    const PatchBorder border = graph.border (label, neighbor);
+    if (border.convexity () < -0.2f)
+      concave += border.connected;
+  }
   return (concave);
 }
 
-/** \brief Planar patches of the cloud at a quarter of its size, where the mean over many points shows planes whose noise breaks
-  * them into fragments at full size. */
-std::vector<PlanarPatch>
-coarsePatches (const OrganizedCloud& cloud, const NormalImage& normals, float noise)
+/** \brief The scene with some 160 columns, where the mean over many points shows planes whose noise breaks them into fragments at
+  * full size, and where planes are found in a fraction of the time. */
+struct CoarseScene
 {
-  constexpr int scale = 4;
-  OrganizedCloud half, quarter;
-  NormalImage half_normals, quarter_normals;
-  halve (cloud, normals, half, half_normals);
-  halve (half, half_normals, quarter, quarter_normals);
+  OrganizedCloud cloud;
+  NormalImage normals;
+  int scale{1}; /**< columns of the scene itself to one of these */
+};
+
+CoarseScene
+makeCoarse (const OrganizedCloud& cloud, const NormalImage& normals)
+{
+  constexpr int columns = 160;
+  CoarseScene coarse;
+  for (int width = cloud.width; width > columns; width = (width + 1) / 2, coarse.scale *= 2)
+  {
+    CoarseScene finer = std::move (coarse);
+    const bool first = finer.scale == 1;
+    halve (first ? cloud : finer.cloud, first ? normals : finer.normals, coarse.cloud, coarse.normals);
+    coarse.scale = finer.scale;
+  }
+  if (coarse.scale == 1)
+  {
+    coarse.cloud = cloud;
+    coarse.normals = normals;
+  }
+  return (coarse);
+}
+
+/** \brief Planar patches of the coarse scene, whose normals are estimated anew.
+  * \param[in] noise of the scene itself, standard deviation over the square of the depth, 1/m */
+PlanarPatches
+coarsePatches (CoarseScene& scene, float noise)
+{
+  PlanarPatches patches;
   std::vector<float> depths;
-  for (std::size_t index = 0; index < quarter.size (); ++index)
-    if (quarter.valid[index])
-      depths.push_back (quarter.z[index]);
+  for (std::size_t index = 0; index < scene.cloud.size (); ++index)
+    if (scene.cloud.valid[index])
+      depths.push_back (scene.cloud.z[index]);
   if (depths.empty ())
-    return {};
+    return (patches);
   std::nth_element (depths.begin (), depths.begin () + depths.size () / 2, depths.end ());
   const float median = depths[depths.size () / 2], deviation = noise * median * median;
+  const auto scale = static_cast<float> (scene.scale);
   NormalParameters normal_parameters;
-  normal_parameters.depth_gate = std::max (static_cast<float> (scale) * normal_parameters.depth_gate, 6.0f * deviation);
-  estimateNormals (quarter, normal_parameters, 1, quarter_normals);
+  normal_parameters.depth_gate = std::max (scale * normal_parameters.depth_gate, 6.0f * deviation);
+  estimateNormals (scene.cloud, normal_parameters, 1, scene.normals);
   PatchParameters parameters;
   parameters.maximum_distance += 3.0f * deviation;
-  parameters.maximum_step = std::max (static_cast<float> (scale) * parameters.maximum_step, 6.0f * deviation);
-  PlanarPatches patches;
-  extractPlanarPatches (quarter, quarter_normals, parameters, patches);
-  std::vector<PlanarPatch> enlarged;
-  for (const PlanarPatch& patch : patches.patches)
+  parameters.maximum_step = std::max (scale * parameters.maximum_step, 6.0f * deviation);
+  extractPlanarPatches (scene.cloud, scene.normals, parameters, patches);
+  return (patches);
+}
+
+/** \brief A plane of the background as far as the coarse scene shows it. */
+struct CoarsePlane
+{
+  SupportingPlane plane;
+  int label;    /**< of the patch that it was found by */
+  double score; /**< how likely it is the supporting plane */
+};
+
+/** \brief The patch's plane and all the points on it, after a few rounds of one and the other.
+  * \return no indices where it is none */
+SupportingPlane
+fitToPatch (const CoarseScene& scene, const PlanarPatch& patch, float noise, const SupportParameters& parameters,
+            std::size_t smallest)
+{
+  SupportingPlane plane;
+  plane.indices = patch.pixels;
+  constexpr int rounds = 4;
+  for (int round = 0; round < rounds && plane.indices.size () >= smallest; ++round)
   {
-    PlanarPatch fine = patch;
-    fine.pixels.clear ();
-    for (const pcl::index_t index : patch.pixels)
-      for (int row = scale * (index / quarter.width); row < scale * (index / quarter.width + 1); ++row)
-        for (int column = scale * (index % quarter.width); column < scale * (index % quarter.width + 1); ++column)
-          if (row < cloud.height && column < cloud.width && cloud.valid[static_cast<std::size_t> (row) * cloud.width + column])
-            fine.pixels.push_back (row * cloud.width + column);
-    enlarged.push_back (std::move (fine));
+    const BentPlane surface (scene.cloud, plane.indices);
+    plane.coefficients << surface.plane.normal, surface.plane.offset;
+    plane.indices = pointsOf (scene.cloud, scene.normals, noise, parameters, surface);
   }
-  return (enlarged);
+  if (plane.indices.size () < std::max (smallest, patch.pixels.size () / 2))
+    plane.indices.clear ();
+  return (plane);
 }
 
 } // namespace
@@ -341,111 +379,108 @@ estimateDepthNoise (const OrganizedCloud& cloud)
 }
 
 std::vector<SupportingPlane>
-findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
-                      const std::function<const PatchGraph& ()>& graph, const SupportParameters& parameters)
+findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const SupportParameters& parameters)
 {
-  std::vector<SupportingPlane> planes;
   const float focal_length = estimateFocalLength (cloud);
   if (focal_length <= 0.0f)
-    return (planes);
+    return {};
   const float noise = estimateDepthNoise (cloud);
-  const auto valid_points = static_cast<float> (std::count (cloud.valid.begin (), cloud.valid.end (), 1));
+  CoarseScene scene = makeCoarse (cloud, normals);
+  const PlanarPatches patches = coarsePatches (scene, noise);
+  const auto scale = static_cast<double> (scene.scale);
+  const float coarse_focal_length = focal_length / static_cast<float> (scene.scale);
 
-  struct Candidate
-  {
-    const PlanarPatch* patch;
-    int label; /**< 0: of no patch in the graph */
-  };
-  constexpr std::size_t smallest = 200;
-  std::vector<Candidate> candidates;
+  constexpr std::size_t smallest = 12;
+  std::vector<int> candidates; // labels
   for (std::size_t k = 0; k < patches.patches.size (); ++k)
     if (patches.patches[k].pixels.size () >= smallest)
-      candidates.push_back ({&patches.patches[k], static_cast<int> (k) + 1});
-  const std::vector<PlanarPatch> coarse_patches = coarsePatches (cloud, normals, noise);
-  for (const PlanarPatch& patch : coarse_patches)
-    if (patch.pixels.size () >= smallest)
-      candidates.push_back ({&patch, 0});
-  std::stable_sort (candidates.begin (), candidates.end (), [] (const Candidate& a, const Candidate& b) {
-    return (a.patch->pixels.size () > b.patch->pixels.size ());
-  });
+      candidates.push_back (static_cast<int> (k) + 1);
+  const auto sizeOf = [&] (int label) { return (patches.patches[label - 1].pixels.size ()); };
+  std::stable_sort (candidates.begin (), candidates.end (), [&] (int a, int b) { return (sizeOf (a) > sizeOf (b)); });
 
-  std::vector<std::uint8_t> taken (cloud.size (), 0);
-  std::vector<double> scores;
-  std::vector<int> labels;
-  for (const Candidate& candidate : candidates)
+  std::vector<std::uint8_t> taken (scene.cloud.size (), 0);
+  const auto isMostlyTaken = [&] (const pcl::Indices& indices) {
+    const auto count =
+      std::count_if (indices.begin (), indices.end (), [&] (pcl::index_t index) { return (taken[index] != 0); });
+    return (2 * static_cast<std::size_t> (count) > indices.size ());
+  };
+  std::vector<CoarsePlane> found;
+  for (const int label : candidates)
   {
-    const PlanarPatch& patch = *candidate.patch;
-    const auto known = std::count_if (patch.pixels.begin (), patch.pixels.end (),
-                                      [&] (pcl::index_t index) { return (taken[index]); });
-    if (2 * static_cast<std::size_t> (known) > patch.pixels.size () ||
-        areaOf (cloud, patch.pixels, patch.normal, focal_length) < parameters.minimum_area)
+    const PlanarPatch& patch = patches.patches[label - 1];
+    if (isMostlyTaken (patch.pixels) ||
+        areaOf (scene.cloud, patch.pixels, patch.normal, coarse_focal_length) < parameters.minimum_area)
       continue;
-
-    SupportingPlane plane;
-    plane.indices = patch.pixels;
-    constexpr int rounds = 4, coarse_step = 4;
-    Eigen::Vector3f normal = patch.normal;
-    for (int round = 0; round < rounds && plane.indices.size () >= 100; ++round)
-    {
-      const bool fine = round == rounds - 1 || plane.indices.size () < coarse_step * enough_points;
-      const BentPlane surface (cloud, plane.indices);
-      normal = surface.plane.normal;
-      plane.coefficients.head<3> () = normal;
-      plane.coefficients[3] = surface.plane.offset;
-      plane.indices = pointsOf (cloud, normals, noise, parameters, surface, fine ? 1 : coarse_step);
-    }
-    dropIslands (cloud, plane.indices);
-    if (plane.indices.size () < std::max<std::size_t> (100, patch.pixels.size () / 2))
+    SupportingPlane plane = fitToPatch (scene, patch, noise, parameters, smallest);
+    if (plane.indices.empty ())
       continue;
-    plane.area = areaOf (cloud, plane.indices, normal, focal_length);
-
-    const Footprint footprint (cloud, patch.pixels, normal);
+    const Eigen::Vector3f normal = plane.coefficients.head<3> ();
+    const Footprint footprint (scene.cloud, patch.pixels, normal);
     const std::vector<OutlineEdge> near_outline = footprint.edges (0.05f), far_outline = footprint.edges (0.15f);
-    double over = 0.0, below = 0.0;
-    constexpr std::size_t step = 17; // no divisor of usual widths, so that all columns are met
-    for (std::size_t index = 0; index < cloud.size (); index += step)
+    double over = 0.0, below = 0.0; // pixels of the scene itself
+    for (std::size_t index = 0; index < scene.cloud.size (); ++index)
     {
-      if (!cloud.valid[index])
+      if (!scene.cloud.valid[index])
         continue;
-      const Eigen::Vector3f point = pointAt (cloud, index);
+      const Eigen::Vector3f point = pointAt (scene.cloud, index);
       const float height = normal.dot (point) + plane.coefficients[3];
       const float clear = 0.02f + parameters.noise_tolerance * noise * point.z () * point.z ();
       if (height > clear && height < 0.4f && footprint.contains (point, near_outline))
-        over += step;
+        over += scale * scale;
       else if (height < -clear && height > -0.3f && footprint.contains (point, far_outline))
-        below += step;
+        below += scale * scale;
     }
     plane.confidence = static_cast<float> ((over + 100.0) / (over + below + 100.0));
-    scores.push_back (static_cast<double> (patch.pixels.size ()) * (over + 300.0) * plane.confidence * plane.confidence);
-    labels.push_back (candidate.label);
+    const double score =
+      static_cast<double> (patch.pixels.size ()) * (over + 300.0) * plane.confidence * plane.confidence;
+    for (const pcl::index_t index : plane.indices)
+      taken[index] = 1;
+    found.push_back ({std::move (plane), label, score});
+  }
+
+  // What stands on a plane meets it in a concave edge.
+  if (found.size () > 1)
+  {
+    PatchGraphParameters graph_parameters;
+    graph_parameters.connection_distance *= 2.0f;
+    graph_parameters.maximum_gap /= scene.scale;
+    graph_parameters.sample_distance = std::max (2, graph_parameters.sample_distance / scene.scale);
+    const PatchGraph graph = buildPatchGraph (scene.cloud, scene.normals, patches.labels,
+                                              static_cast<int> (patches.patches.size ()), graph_parameters);
+    for (CoarsePlane& candidate : found)
+      candidate.score *= scale * concaveBorder (graph, candidate.label) + 20.0;
+  }
+  const auto best = std::max_element (found.begin (), found.end (), [] (const CoarsePlane& a, const CoarsePlane& b) {
+    return (a.score < b.score);
+  });
+  if (best != found.end ())
+  {
+    best->plane.supports_objects = best->plane.confidence >= parameters.minimum_confidence;
+    std::iter_swap (found.begin (), best);
+  }
+
+  std::vector<SupportingPlane> planes;
+  taken.assign (cloud.size (), 0);
+  const auto valid_points = static_cast<float> (std::count (cloud.valid.begin (), cloud.valid.end (), 1));
+  for (CoarsePlane& candidate : found)
+  {
+    SupportingPlane& plane = candidate.plane;
+    if (!plane.supports_objects && !touchesImageBorder (scene.cloud, plane.indices))
+      continue;
+    const BentPlane surface (scene.cloud, plane.indices);
+    plane.coefficients << surface.plane.normal, surface.plane.offset;
+    plane.indices = pointsOf (cloud, normals, noise, parameters, surface);
+    dropIslands (cloud, plane.indices);
+    plane.area = areaOf (cloud, plane.indices, surface.plane.normal, focal_length);
+    const float share = static_cast<float> (plane.indices.size ()) / valid_points;
+    const bool large = plane.area >= parameters.background_area || share >= parameters.background_share;
+    if (plane.indices.empty () || isMostlyTaken (plane.indices) ||
+        !(plane.supports_objects || (large && touchesImageBorder (cloud, plane.indices))))
+      continue;
     for (const pcl::index_t index : plane.indices)
       taken[index] = 1;
     planes.push_back (std::move (plane));
   }
-
-  // What stands on a plane meets it in a concave edge.
-  if (planes.size () > 1)
-  {
-    const PatchGraph& patch_graph = graph ();
-    for (std::size_t k = 0; k < planes.size (); ++k)
-      scores[k] *= concaveBorder (patch_graph, labels[k]) + 20.0;
-  }
-  const auto best = std::max_element (scores.begin (), scores.end ());
-  if (best != scores.end ())
-  {
-    SupportingPlane& support = planes[best - scores.begin ()];
-    support.supports_objects = support.confidence >= parameters.minimum_confidence;
-    std::swap (planes.front (), support);
-  }
-  planes.erase (std::remove_if (planes.begin (), planes.end (),
-                                [&] (const SupportingPlane& plane) {
-                                  const float share = static_cast<float> (plane.indices.size ()) / valid_points;
-                                  const bool large = plane.area >= parameters.background_area ||
-                                                     share >= parameters.background_share;
-                                  return (!plane.supports_objects &&
-                                          !(large && touchesImageBorder (cloud, plane.indices)));
-                                }),
-                planes.end ());
   return (planes);
 }
 
@@ -471,21 +506,24 @@ findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane)
   return (over);
 }
 
+Image<int>
+labelPlanes (const OrganizedCloud& cloud, const std::vector<SupportingPlane>& planes)
+{
+  Image<int> labels (cloud.width, cloud.height, 0);
+  for (std::size_t plane = 0; plane < planes.size (); ++plane)
+    for (const pcl::index_t index : planes[plane].indices)
+      if (!labels[index])
+        labels[index] = static_cast<int> (plane) + 1;
+  return (labels);
+}
+
 std::vector<std::uint8_t>
 cutAlongPlanes (const OrganizedCloud& cloud, const std::vector<SupportingPlane>& planes, const PatchParameters& parameters,
                 PlanarPatches& patches)
 {
-  Image<int> background (cloud.width, cloud.height, 0);
-  for (std::size_t plane = 0; plane < planes.size (); ++plane)
-    for (const pcl::index_t index : planes[plane].indices)
-      if (!background[index])
-        background[index] = static_cast<int> (plane) + 1;
-
-  Image<int> labels (cloud.width, cloud.height, 0);
-  std::vector<std::uint8_t> is_background (1, 0);
-  for (std::size_t plane = 0; plane < planes.size (); ++plane)
-    is_background.push_back (1);
-  labels.data = background.data;
+  Image<int> labels = labelPlanes (cloud, planes);
+  std::vector<std::uint8_t> is_background (planes.size () + 1, 1);
+  is_background[0] = 0;
 
   // Pieces of the same old patch that hang together become a patch, in the order of the old ones.
   std::vector<pcl::index_t> stack;

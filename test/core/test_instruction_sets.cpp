@@ -32,12 +32,7 @@ resultsOf (const OrganizedCloud& cloud, const AttentionParameters& parameters, i
   halve (cloud, results.normals, results.half, results.half_normals);
   computeSymmetry (cloud, results.normals, parameters.saliency, threads, results.symmetry);
   computeSaliency (cloud, results.normals, parameters.saliency, threads, results.saliency);
-  PlanarPatches patches;
-  extractPlanarPatches (cloud, results.normals, parameters.patches, patches);
-  const PatchGraph graph = buildPatchGraph (cloud, results.normals, patches.labels,
-                                            static_cast<int> (patches.patches.size ()), parameters.patch_graph);
-  results.planes = findSupportingPlanes (cloud, results.normals, patches, [&] () -> const PatchGraph& { return (graph); },
-                                         parameters.support);
+  results.planes = findSupportingPlanes (cloud, results.normals, parameters.support);
   if (!results.planes.empty ())
     results.over = findPointsOver (cloud, results.planes.front ());
   return (results);

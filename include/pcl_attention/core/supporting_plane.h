@@ -3,8 +3,6 @@
 
 #include <pcl_attention/core/patch_graph.h>
 
-#include <functional>
-
 namespace pcl_attention
 {
 
@@ -36,16 +34,19 @@ PCL_ATTENTION_EXPORTS float
 estimateDepthNoise (const OrganizedCloud& cloud);
 
 /** \brief Find the supporting plane and the other planes of the background.
-  * \param[in] graph gives that of the patches; asked only where there are several planes to choose from
   * \return the plane that objects stand on first, if there is one */
 PCL_ATTENTION_EXPORTS std::vector<SupportingPlane>
-findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
-                      const std::function<const PatchGraph& ()>& graph, const SupportParameters& parameters);
+findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const SupportParameters& parameters);
 
 /** \brief Which points stand on a plane: above it, at most half a metre, and their feet within its outline.
   * \return 1 for those, of the cloud's size */
 PCL_ATTENTION_EXPORTS std::vector<std::uint8_t>
 findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane);
+
+/** \brief The points of the planes, of the first one where several have a point.
+  * \return 0, or 1, 2, ... for the first, second, ... plane, of the cloud's size */
+PCL_ATTENTION_EXPORTS Image<int>
+labelPlanes (const OrganizedCloud& cloud, const std::vector<SupportingPlane>& planes);
 
 /** \brief Cut the patches along the background: its points become patches of their own, one a plane, and what is left of a
   * patch falls into its connected pieces, of which those under minimum_size are left over.
