@@ -42,15 +42,9 @@ segmentFirstObject (const Frame& frame, unsigned int threads)
 void
 transcribeLevels (const Frame& frame)
 {
-  OrganizedCloud cloud = frame.cloud, half_cloud;
-  NormalImage normals = frame.normals, half_normals;
-  for (int level = 0; level < parameters.saliency.levels; ++level)
-  {
-    benchmark::DoNotOptimize (oracle::symmetryMap (cloud, normals, parameters.saliency));
-    halve (cloud, normals, half_cloud, half_normals);
-    std::swap (cloud, half_cloud);
-    std::swap (normals, half_normals);
-  }
+  benchmark::DoNotOptimize (oracle::symmetryMap (frame.cloud, frame.normals, parameters.saliency));
+  for (const PyramidLevel& level : coarserLevels (frame.cloud, frame.normals, parameters.saliency.levels - 1, 1))
+    benchmark::DoNotOptimize (oracle::symmetryMap (level.cloud, level.normals, parameters.saliency));
 }
 
 } // namespace
@@ -58,6 +52,7 @@ transcribeLevels (const Frame& frame)
 Frame::Frame (const SceneCloud::ConstPtr& input) : scene (input), cloud (gather (*input, nullptr))
 {
   estimateNormals (cloud, parameters.normals, 1, normals);
+  coarser = coarserLevels (cloud, normals, supportLevels (cloud.width), 1);
   computeSaliency (cloud, normals, parameters.saliency, 1, saliency);
   extractAttentionPoints (saliency.saliency, cloud.valid, parameters.attention_points, points);
   extractPlanarPatches (cloud, normals, parameters.patches, patches);
@@ -105,7 +100,7 @@ measureStages (const std::vector<Frame>& frames)
   });
   measure ("supporting_planes", frames, [] (const Frame& frame) {
     benchmark::DoNotOptimize (
-        findSupportingPlanes (frame.cloud, frame.normals, parameters.support));
+        findSupportingPlanes (frame.cloud, frame.normals, frame.coarser, parameters.support));
   });
   measure ("first_object/one_thread", frames, [] (const Frame& frame) { segmentFirstObject (frame, 1); });
   measure ("first_object/two_threads", frames, [] (const Frame& frame) { segmentFirstObject (frame, 2); });

@@ -18,6 +18,7 @@ struct Frame
   SceneCloud::ConstPtr scene;
   OrganizedCloud cloud;
   NormalImage normals;
+  std::vector<PyramidLevel> coarser;
   SaliencyMaps saliency;
   AttentionPoints points;
   PlanarPatches patches;

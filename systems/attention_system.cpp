@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "systems/attention_system.h"
 
-#include "src/core/bands.h"
+#include <pcl_attention/core/bands.h>
+
 #include <pcl/segmentation/attention_segmentation.h>
 
 #include <pcl/segmentation/impl/organized_cloud.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "systems/simple_objects.h"
 
-#include "src/core/bands.h"
+#include <pcl_attention/core/bands.h>
 
 #include <algorithm>
 #include <cmath>

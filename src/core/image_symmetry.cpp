@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bands.h"
 
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/image_symmetry.h>
 #include <pcl_attention/core/pyramid.h>
 
@@ -166,7 +166,7 @@ computeImageSaliency (const OrganizedCloud& cloud, const ImageSymmetryParameters
     for (float& value : map.data)
       value = (value - minimum) / range;
     for (auto size = sizes.rbegin (); size != sizes.rend (); ++size)
-      map = doubleSize (map, size->first, size->second);
+      map = doubleSize (map, size->first, size->second, threads);
     for (std::size_t index = 0; index < saliency.size (); ++index)
       saliency[index] += map[index];
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bands.h"
 #include "instruction_set.h"
 
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/normals.h>
 
 #include <pcl/features/integral_image_normal.h>

@@ -139,8 +139,9 @@ AttentionPipeline::start (OrganizedCloud&& cloud, const Eigen::Isometry3f& senso
   sensor_pose_ = sensor_pose;
   forgetPatches ();
   cloud_ = std::move (cloud);
-  normals_.reset ();
-  saliency_.reset ();
+  normals_.forget ();
+  coarser_.clear ();
+  saliency_.forget ();
   image_saliency_.reset ();
   setPrior (AttentionPrior ());
   times_ = StageTimes ();
@@ -210,12 +211,13 @@ AttentionPipeline::changeParameters (const AttentionParameters& parameters)
   parameters_ = parameters;
   if (normals_changed)
   {
-    normals_.reset ();
+    normals_.forget ();
+    coarser_.clear ();
     times_.normals = 0.0;
   }
   if (saliency_changed)
   {
-    saliency_.reset ();
+    saliency_.forget ();
     times_.saliency = 0.0;
   }
   if (image_saliency_changed)
@@ -236,7 +238,7 @@ AttentionPipeline::setNormals (NormalImage&& normals)
 void
 AttentionPipeline::setSaliency (Image<float>&& saliency)
 {
-  saliency_.emplace ();
+  saliency_ = SaliencyMaps ();
   saliency_->maximum = saliency.data.empty () ? 0.0f : *std::max_element (saliency.data.begin (), saliency.data.end ());
   saliency_->saliency = std::move (saliency);
 }
@@ -263,10 +265,18 @@ AttentionPipeline::normals ()
   if (!normals_)
   {
     const StageTimer timer (times_.normals);
-    normals_.emplace ();
-    estimateNormals (cloud_, parameters_.normals, threads_, *normals_);
+    estimateNormals (cloud_, parameters_.normals, threads_, normals_.renew ());
   }
   return (*normals_);
+}
+
+const std::vector<PyramidLevel>&
+AttentionPipeline::coarser ()
+{
+  const int count = std::max (parameters_.saliency.levels - 1, supportLevels (cloud_.width));
+  if (static_cast<int> (coarser_.size ()) < count)
+    coarser_ = coarserLevels (cloud_, *normals_, count, threads_);
+  return (coarser_);
 }
 
 const SaliencyMaps&
@@ -276,8 +286,7 @@ AttentionPipeline::saliency ()
   {
     normals ();
     const StageTimer timer (times_.saliency);
-    saliency_.emplace ();
-    computeSaliency (cloud_, *normals_, parameters_.saliency, threads_, *saliency_);
+    computeSaliency (cloud_, *normals_, coarser (), parameters_.saliency, threads_, saliency_.renew ());
   }
   return (*saliency_);
 }
@@ -331,7 +340,7 @@ AttentionPipeline::preparePatches ()
     return;
   normals ();
   const StageTimer timer (times_.patches);
-  supporting_planes_ = findSupportingPlanes (cloud_, *normals_, parameters_.support);
+  supporting_planes_ = findSupportingPlanes (cloud_, *normals_, coarser (), parameters_.support);
   const bool stays_off = !supporting_planes_->empty () && parameters_.clustering.stay_off_support;
   if (!patches_)
   {
@@ -396,6 +405,10 @@ AttentionPipeline::prepareObjects ()
   if (threads_ == 1 || attention_points_ || patch_graph_ || !prior_.empty ())
     return;
   normals ();
+  {
+    const StageTimer timer (times_.saliency);
+    coarser (); // which both need
+  }
   double milliseconds = 0.0;
   const double before = times_.total ();
   std::exception_ptr patch_error, point_error;
@@ -421,6 +434,7 @@ AttentionPipeline::fillQueue ()
   prepareObjects ();
   preparePatches ();
   queue_ = attentionPoints ().points;
+  coarser_.clear (); // nothing that is still to come needs them
   const auto rest = std::stable_partition (queue_.begin (), queue_.end (),
                                            [this] (const AttentionPoint& point) { return (isPreferred (point)); });
   if (parameters_.segmentation.coverage)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_attention/core/pyramid.h>
 #include <pcl_attention/core/saliency.h>
 
 #include <algorithm>
@@ -28,23 +27,20 @@ largest (const Image<float>& map)
 
 /** \brief Blur a level's map and drop what is noise on it. */
 void
-cleanLevel (const SaliencyParameters& parameters, SymmetryMap& level)
+cleanLevel (const SaliencyParameters& parameters, int threads, SymmetryMap& level)
 {
-  level.symmetry = boxBlur (level.symmetry, parameters.blur_radius);
+  level.symmetry = boxBlur (level.symmetry, parameters.blur_radius, threads);
   const float threshold = std::max (parameters.level_threshold * largest (level.symmetry), parameters.saliency_floor);
   for (float& value : level.symmetry.data)
     value = value < threshold ? 0.0f : value;
 }
 
-Image<float>
-enlarge (Image<float> map, std::size_t level, const std::vector<std::pair<int, int>>& sizes)
+/** \brief What a level's values count in the sum of paper eq. 9; 0 for a level without any. */
+float
+scaleOf (const SaliencyParameters& parameters, const SymmetryMap& level)
 {
-  while (level > 0)
-  {
-    --level;
-    map = doubleSize (map, sizes[level].first, sizes[level].second);
-  }
-  return (map);
+  const float peak = largest (level.symmetry);
+  return (peak <= 0.0f ? 0.0f : parameters.normalize_levels ? 1.0f / peak : 1.0f);
 }
 
 /** \brief The axis that won at a pixel, or nearest to it where the symmetry was spread there by the blur or the up-sampling. */
@@ -59,62 +55,53 @@ winningAxis (const SymmetryMap& map, int column, int row, int reach)
   return (0);
 }
 
-/** \brief What every level contributes to the sum of paper eq. 9, at the finest size. */
-template <typename Take> void
-forEachContribution (const SaliencyParameters& parameters, const SaliencyMaps& maps, const Take& take)
-{
-  std::vector<std::pair<int, int>> sizes;
-  for (const SymmetryMap& level : maps.levels)
-    sizes.emplace_back (level.symmetry.width, level.symmetry.height);
-  for (std::size_t level = 0; level < maps.levels.size (); ++level)
-  {
-    const Image<float>& symmetry = maps.levels[level].symmetry;
-    const float peak = largest (symmetry);
-    if (peak > 0.0f)
-      take (level, enlarge (symmetry, level, sizes), parameters.normalize_levels ? 1.0f / peak : 1.0f);
-  }
-}
-
-/** \brief Paper eq. 9: the sum of all levels at the finest size. */
+/** \brief Paper eq. 9: the sum of all levels at the finest size. From the coarsest on the sum so far is brought to the size of the
+  * next finer level, which is the same as bringing each to the finest, and is done once for all. */
 void
-acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& cloud, SaliencyMaps& maps)
+acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& cloud, int threads, SaliencyMaps& maps)
 {
-  maps.saliency.assign (cloud.width, cloud.height, 0.0f);
-  forEachContribution (parameters, maps, [&] (std::size_t, const Image<float>& contribution, float scale) {
-    for (std::size_t index = 0; index < cloud.size (); ++index)
-      maps.saliency[index] += scale * contribution[index];
-  });
+  Image<float>& sum = maps.saliency;
+  for (auto level = maps.levels.rbegin (); level != maps.levels.rend (); ++level)
+  {
+    const Image<float>& symmetry = level->symmetry;
+    if (level == maps.levels.rbegin ())
+      sum.assign (symmetry.width, symmetry.height, 0.0f);
+    else
+      sum = doubleSize (sum, symmetry.width, symmetry.height, threads);
+    const float scale = scaleOf (parameters, *level);
+    for (std::size_t index = 0; index < symmetry.size (); ++index)
+      sum[index] += scale * symmetry[index];
+  }
   for (std::size_t index = 0; index < cloud.size (); ++index)
-    maps.saliency[index] = cloud.valid[index] ? maps.saliency[index] : 0.0f;
-  maps.maximum = largest (maps.saliency);
+    sum[index] = cloud.valid[index] ? sum[index] : 0.0f;
+  maps.maximum = largest (sum);
   if (maps.maximum > 0.0f)
-    for (float& value : maps.saliency.data)
+    for (float& value : sum.data)
       value /= maps.maximum;
 }
 
 } // namespace
 
 void
+computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const std::vector<PyramidLevel>& coarser,
+                 const SaliencyParameters& parameters, int threads, SaliencyMaps& maps)
+{
+  maps.levels.resize (parameters.levels);
+  for (int level = 0; level < parameters.levels; ++level)
+  {
+    SymmetryMap& map = maps.levels[level];
+    computeSymmetry (level == 0 ? cloud : coarser[level - 1].cloud, level == 0 ? normals : coarser[level - 1].normals,
+                     parameters, threads, map);
+    cleanLevel (parameters, threads, map);
+  }
+  acrossScaleSum (parameters, cloud, threads, maps);
+}
+
+void
 computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const SaliencyParameters& parameters, int threads,
                  SaliencyMaps& maps)
 {
-  maps.levels.resize (parameters.levels);
-  OrganizedCloud level_cloud, half_cloud;
-  NormalImage level_normals, half_normals;
-  for (int level = 0; level < parameters.levels; ++level)
-  {
-    const bool finest = level == 0;
-    if (!finest)
-    {
-      halve (level == 1 ? cloud : level_cloud, level == 1 ? normals : level_normals, half_cloud, half_normals);
-      std::swap (level_cloud, half_cloud);
-      std::swap (level_normals, half_normals);
-    }
-    SymmetryMap& map = maps.levels[level];
-    computeSymmetry (finest ? cloud : level_cloud, finest ? normals : level_normals, parameters, threads, map);
-    cleanLevel (parameters, map);
-  }
-  acrossScaleSum (parameters, cloud, maps);
+  computeSaliency (cloud, normals, coarserLevels (cloud, normals, parameters.levels - 1, threads), parameters, threads, maps);
 }
 
 WinningSymmetry
@@ -123,14 +110,19 @@ findWinningSymmetry (const SaliencyMaps& maps, const SaliencyParameters& paramet
   const int width = maps.saliency.width, height = maps.saliency.height;
   WinningSymmetry winning{{width, height, 0}, {width, height, 0}};
   Image<float> best (width, height, 0.0f);
-  forEachContribution (parameters, maps, [&] (std::size_t level, const Image<float>& contribution, float scale) {
+  for (std::size_t level = 0; level < maps.levels.size (); ++level)
+  {
+    Image<float> contribution = maps.levels[level].symmetry;
+    for (std::size_t finer = level; finer-- > 0;)
+      contribution = doubleSize (contribution, maps.levels[finer].symmetry.width, maps.levels[finer].symmetry.height, 1);
+    const float scale = scaleOf (parameters, maps.levels[level]);
     for (std::size_t index = 0; index < best.size (); ++index)
       if (maps.saliency[index] > 0.0f && scale * contribution[index] > best[index])
       {
         best[index] = scale * contribution[index];
         winning.level[index] = static_cast<std::uint8_t> (level + 1);
       }
-  });
+  }
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column)
       if (const int level = winning.level (column, row))

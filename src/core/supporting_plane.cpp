@@ -269,57 +269,29 @@ concaveBorder (const PatchGraph& graph, int label)
   return (concave);
 }
 
-/** \brief The scene with some 160 columns, where the mean over many points shows planes whose noise breaks them into fragments at
-  * full size, and where planes are found in a fraction of the time. */
-struct CoarseScene
-{
-  OrganizedCloud cloud;
-  NormalImage normals;
-  int scale{1}; /**< columns of the scene itself to one of these */
-};
-
-CoarseScene
-makeCoarse (const OrganizedCloud& cloud, const NormalImage& normals)
-{
-  constexpr int columns = 160;
-  CoarseScene coarse;
-  for (int width = cloud.width; width > columns; width = (width + 1) / 2, coarse.scale *= 2)
-  {
-    CoarseScene finer = std::move (coarse);
-    const bool first = finer.scale == 1;
-    halve (first ? cloud : finer.cloud, first ? normals : finer.normals, coarse.cloud, coarse.normals);
-    coarse.scale = finer.scale;
-  }
-  if (coarse.scale == 1)
-  {
-    coarse.cloud = cloud;
-    coarse.normals = normals;
-  }
-  return (coarse);
-}
-
-/** \brief Planar patches of the coarse scene, whose normals are estimated anew.
-  * \param[in] noise of the scene itself, standard deviation over the square of the depth, 1/m */
+/** \brief Planar patches of a coarse scene.
+  * \param[in] scale columns of the scene itself to one of these
+  * \param[in] noise of the scene itself, standard deviation over the square of the depth, 1/m
+  * \param[out] normals estimated anew */
 PlanarPatches
-coarsePatches (CoarseScene& scene, float noise)
+coarsePatches (const OrganizedCloud& cloud, int scale, float noise, NormalImage& normals)
 {
   PlanarPatches patches;
   std::vector<float> depths;
-  for (std::size_t index = 0; index < scene.cloud.size (); ++index)
-    if (scene.cloud.valid[index])
-      depths.push_back (scene.cloud.z[index]);
+  for (std::size_t index = 0; index < cloud.size (); ++index)
+    if (cloud.valid[index])
+      depths.push_back (cloud.z[index]);
   if (depths.empty ())
     return (patches);
   std::nth_element (depths.begin (), depths.begin () + depths.size () / 2, depths.end ());
   const float median = depths[depths.size () / 2], deviation = noise * median * median;
-  const auto scale = static_cast<float> (scene.scale);
   NormalParameters normal_parameters;
-  normal_parameters.depth_gate = std::max (scale * normal_parameters.depth_gate, 6.0f * deviation);
-  estimateNormals (scene.cloud, normal_parameters, 1, scene.normals);
+  normal_parameters.depth_gate = std::max (static_cast<float> (scale) * normal_parameters.depth_gate, 6.0f * deviation);
+  estimateNormals (cloud, normal_parameters, 1, normals);
   PatchParameters parameters;
   parameters.maximum_distance += 3.0f * deviation;
-  parameters.maximum_step = std::max (scale * parameters.maximum_step, 6.0f * deviation);
-  extractPlanarPatches (scene.cloud, scene.normals, parameters, patches);
+  parameters.maximum_step = std::max (static_cast<float> (scale) * parameters.maximum_step, 6.0f * deviation);
+  extractPlanarPatches (cloud, normals, parameters, patches);
   return (patches);
 }
 
@@ -334,17 +306,17 @@ struct CoarsePlane
 /** \brief The patch's plane and all the points on it, after a few rounds of one and the other.
   * \return no indices where it is none */
 SupportingPlane
-fitToPatch (const CoarseScene& scene, const PlanarPatch& patch, float noise, const SupportParameters& parameters,
-            std::size_t smallest)
+fitToPatch (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatch& patch, float noise,
+            const SupportParameters& parameters, std::size_t smallest)
 {
   SupportingPlane plane;
   plane.indices = patch.pixels;
   constexpr int rounds = 4;
   for (int round = 0; round < rounds && plane.indices.size () >= smallest; ++round)
   {
-    const BentPlane surface (scene.cloud, plane.indices);
+    const BentPlane surface (cloud, plane.indices);
     plane.coefficients << surface.plane.normal, surface.plane.offset;
-    plane.indices = pointsOf (scene.cloud, scene.normals, noise, parameters, surface);
+    plane.indices = pointsOf (cloud, normals, noise, parameters, surface);
   }
   if (plane.indices.size () < std::max (smallest, patch.pixels.size () / 2))
     plane.indices.clear ();
@@ -378,17 +350,30 @@ estimateDepthNoise (const OrganizedCloud& cloud)
   return (*middle / 0.6745f / std::sqrt (6.0f));
 }
 
+int
+supportLevels (int width)
+{
+  constexpr int columns = 160;
+  int levels = 0;
+  for (; width > columns; width = (width + 1) / 2)
+    ++levels;
+  return (levels);
+}
+
 std::vector<SupportingPlane>
-findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const SupportParameters& parameters)
+findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const std::vector<PyramidLevel>& coarser,
+                      const SupportParameters& parameters)
 {
   const float focal_length = estimateFocalLength (cloud);
   if (focal_length <= 0.0f)
     return {};
   const float noise = estimateDepthNoise (cloud);
-  CoarseScene scene = makeCoarse (cloud, normals);
-  const PlanarPatches patches = coarsePatches (scene, noise);
-  const auto scale = static_cast<double> (scene.scale);
-  const float coarse_focal_length = focal_length / static_cast<float> (scene.scale);
+  // The mean over many points shows planes whose noise breaks them into fragments at full size, in a fraction of the time.
+  const int levels = supportLevels (cloud.width), scale = 1 << levels;
+  const OrganizedCloud& coarse = levels == 0 ? cloud : coarser[levels - 1].cloud;
+  NormalImage coarse_normals;
+  const PlanarPatches patches = coarsePatches (coarse, scale, noise, coarse_normals);
+  const float coarse_focal_length = focal_length / static_cast<float> (scale);
 
   constexpr std::size_t smallest = 12;
   std::vector<int> candidates; // labels
@@ -398,7 +383,7 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
   const auto sizeOf = [&] (int label) { return (patches.patches[label - 1].pixels.size ()); };
   std::stable_sort (candidates.begin (), candidates.end (), [&] (int a, int b) { return (sizeOf (a) > sizeOf (b)); });
 
-  std::vector<std::uint8_t> taken (scene.cloud.size (), 0);
+  std::vector<std::uint8_t> taken (coarse.size (), 0);
   const auto isMostlyTaken = [&] (const pcl::Indices& indices) {
     const auto count =
       std::count_if (indices.begin (), indices.end (), [&] (pcl::index_t index) { return (taken[index] != 0); });
@@ -409,26 +394,27 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
   {
     const PlanarPatch& patch = patches.patches[label - 1];
     if (isMostlyTaken (patch.pixels) ||
-        areaOf (scene.cloud, patch.pixels, patch.normal, coarse_focal_length) < parameters.minimum_area)
+        areaOf (coarse, patch.pixels, patch.normal, coarse_focal_length) < parameters.minimum_area)
       continue;
-    SupportingPlane plane = fitToPatch (scene, patch, noise, parameters, smallest);
+    SupportingPlane plane = fitToPatch (coarse, coarse_normals, patch, noise, parameters, smallest);
     if (plane.indices.empty ())
       continue;
     const Eigen::Vector3f normal = plane.coefficients.head<3> ();
-    const Footprint footprint (scene.cloud, patch.pixels, normal);
+    const Footprint footprint (coarse, patch.pixels, normal);
     const std::vector<OutlineEdge> near_outline = footprint.edges (0.05f), far_outline = footprint.edges (0.15f);
-    double over = 0.0, below = 0.0; // pixels of the scene itself
-    for (std::size_t index = 0; index < scene.cloud.size (); ++index)
+    const double pixels = scale * scale; // of the scene itself to one of these
+    double over = 0.0, below = 0.0;
+    for (std::size_t index = 0; index < coarse.size (); ++index)
     {
-      if (!scene.cloud.valid[index])
+      if (!coarse.valid[index])
         continue;
-      const Eigen::Vector3f point = pointAt (scene.cloud, index);
+      const Eigen::Vector3f point = pointAt (coarse, index);
       const float height = normal.dot (point) + plane.coefficients[3];
       const float clear = 0.02f + parameters.noise_tolerance * noise * point.z () * point.z ();
       if (height > clear && height < 0.4f && footprint.contains (point, near_outline))
-        over += scale * scale;
+        over += pixels;
       else if (height < -clear && height > -0.3f && footprint.contains (point, far_outline))
-        below += scale * scale;
+        below += pixels;
     }
     plane.confidence = static_cast<float> ((over + 100.0) / (over + below + 100.0));
     const double score =
@@ -443,9 +429,9 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
   {
     PatchGraphParameters graph_parameters;
     graph_parameters.connection_distance *= 2.0f;
-    graph_parameters.maximum_gap /= scene.scale;
-    graph_parameters.sample_distance = std::max (2, graph_parameters.sample_distance / scene.scale);
-    const PatchGraph graph = buildPatchGraph (scene.cloud, scene.normals, patches.labels,
+    graph_parameters.maximum_gap /= scale;
+    graph_parameters.sample_distance = std::max (2, graph_parameters.sample_distance / scale);
+    const PatchGraph graph = buildPatchGraph (coarse, coarse_normals, patches.labels,
                                               static_cast<int> (patches.patches.size ()), graph_parameters);
     for (CoarsePlane& candidate : found)
       candidate.score *= scale * concaveBorder (graph, candidate.label) + 20.0;
@@ -465,9 +451,9 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
   for (CoarsePlane& candidate : found)
   {
     SupportingPlane& plane = candidate.plane;
-    if (!plane.supports_objects && !touchesImageBorder (scene.cloud, plane.indices))
+    if (!plane.supports_objects && !touchesImageBorder (coarse, plane.indices))
       continue;
-    const BentPlane surface (scene.cloud, plane.indices);
+    const BentPlane surface (coarse, plane.indices);
     plane.coefficients << surface.plane.normal, surface.plane.offset;
     plane.indices = pointsOf (cloud, normals, noise, parameters, surface);
     dropIslands (cloud, plane.indices);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bands.h"
 #include "instruction_set.h"
 #include "surface_rows.h"
 
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/symmetry.h>
 
 #include <memory>

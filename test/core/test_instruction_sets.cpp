@@ -29,10 +29,11 @@ resultsOf (const OrganizedCloud& cloud, const AttentionParameters& parameters, i
 {
   Results results;
   estimateNormals (cloud, parameters.normals, threads, results.normals);
-  halve (cloud, results.normals, results.half, results.half_normals);
+  halve (cloud, results.normals, threads, results.half, results.half_normals);
   computeSymmetry (cloud, results.normals, parameters.saliency, threads, results.symmetry);
   computeSaliency (cloud, results.normals, parameters.saliency, threads, results.saliency);
-  results.planes = findSupportingPlanes (cloud, results.normals, parameters.support);
+  results.planes = findSupportingPlanes (
+    cloud, results.normals, coarserLevels (cloud, results.normals, supportLevels (cloud.width), threads), parameters.support);
   if (!results.planes.empty ())
     results.over = findPointsOver (cloud, results.planes.front ());
   return (results);

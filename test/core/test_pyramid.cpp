@@ -45,7 +45,7 @@ TEST (Halving, EqualsTheNaiveVersion)
       if (holes > 0.0)
         shapes::punchHoles (frame, 5, holes);
       Frame half;
-      halve (frame.cloud, frame.normals, half.cloud, half.normals);
+      halve (frame.cloud, frame.normals, 1, half.cloud, half.normals);
       const oracle::Level expected = oracle::halved (oracle::levelOf (frame.cloud, frame.normals));
       ASSERT_EQ (half.cloud.width, expected.width);
       ASSERT_EQ (half.cloud.height, expected.height);
@@ -76,7 +76,7 @@ TEST (Halving, OfAPlaneStaysOnThePlane)
 {
   const Frame frame = shapes::look (shapes::plane ({0, 0, 1}, {0.3, -0.2, -1}));
   Frame half;
-  halve (frame.cloud, frame.normals, half.cloud, half.normals);
+  halve (frame.cloud, frame.normals, 1, half.cloud, half.normals);
   const Eigen::Vector3d normal = Eigen::Vector3d (0.3, -0.2, -1).normalized ();
   EXPECT_EQ (half.cloud.width, 32);
   EXPECT_EQ (half.cloud.height, 24);
@@ -93,9 +93,9 @@ TEST (Halving, CommutesWithMirroringAtEvenWidths)
   Frame frame = shapes::hills (4);
   shapes::punchHoles (frame, 3, 0.2);
   Frame half, half_of_mirror;
-  halve (frame.cloud, frame.normals, half.cloud, half.normals);
+  halve (frame.cloud, frame.normals, 1, half.cloud, half.normals);
   const Frame mirror = shapes::mirrored (frame);
-  halve (mirror.cloud, mirror.normals, half_of_mirror.cloud, half_of_mirror.normals);
+  halve (mirror.cloud, mirror.normals, 1, half_of_mirror.cloud, half_of_mirror.normals);
   const Frame mirror_of_half = shapes::mirrored (half);
   EXPECT_EQ (half_of_mirror.cloud.valid, mirror_of_half.cloud.valid);
   for (std::size_t index = 0; index < half.cloud.size (); ++index)
@@ -112,19 +112,19 @@ TEST (Doubling, EqualsBilinearInterpolationBetweenPixelCentres)
   {
     SCOPED_TRACE (width);
     const Image<float> map = randomMap (static_cast<unsigned> (width), (width + 1) / 2, (height + 1) / 2);
-    expectNear (doubleSize (map, width, height), oracle::doubled (oracle::toDouble (map), width, height), 1e-6);
+    expectNear (doubleSize (map, width, height, 1), oracle::doubled (oracle::toDouble (map), width, height), 1e-6);
   }
 }
 
 TEST (Doubling, KeepsConstantsAndRamps)
 {
-  const Image<float> flat = doubleSize (Image<float> (8, 6, 0.7f), 16, 12);
+  const Image<float> flat = doubleSize (Image<float> (8, 6, 0.7f), 16, 12, 1);
   for (const float value : flat.data)
     EXPECT_FLOAT_EQ (value, 0.7f);
   Image<float> ramp (8, 1);
   for (int column = 0; column < 8; ++column)
     ramp (column, 0) = static_cast<float> (column);
-  const Image<float> fine = doubleSize (ramp, 16, 2);
+  const Image<float> fine = doubleSize (ramp, 16, 2, 1);
   // The centre of fine pixel c lies at coarse (c - 1/2) / 2.
   for (int column = 1; column < 15; ++column)
     EXPECT_FLOAT_EQ (fine (column, 0), 0.5f * (static_cast<float> (column) - 0.5f));
@@ -137,7 +137,7 @@ TEST (BoxBlur, EqualsTheNaiveMean)
     {
       SCOPED_TRACE (::testing::Message () << radius << " " << width);
       const Image<float> map = randomMap (7, width, height);
-      expectNear (boxBlur (map, radius), oracle::boxBlurred (oracle::toDouble (map), radius), 1e-6);
+      expectNear (boxBlur (map, radius, 1), oracle::boxBlurred (oracle::toDouble (map), radius), 1e-6);
     }
 }
 
@@ -146,5 +146,5 @@ TEST (BoxBlur, ByHand)
   Image<float> map (3, 3, 0.0f);
   map (1, 1) = 36.0f;
   // 9, 6 or 4 pixels of the square lie inside the image.
-  EXPECT_EQ (boxBlur (map, 1).data, (std::vector<float>{9, 6, 9, 6, 4, 6, 9, 6, 9}));
+  EXPECT_EQ (boxBlur (map, 1, 1).data, (std::vector<float>{9, 6, 9, 6, 4, 6, 9, 6, 9}));
 }

@@ -34,7 +34,7 @@ naiveSum (const Frame& frame, const SaliencyParameters& parameters, double* maxi
     if (l > 0)
     {
       Frame half;
-      halve (level.cloud, level.normals, half.cloud, half.normals);
+      halve (level.cloud, level.normals, 1, half.cloud, half.normals);
       level = half;
     }
     SymmetryMap map;

@@ -56,6 +56,46 @@ struct StageTimes
   total () const { return (normals + saliency + attention_points + patches + segmentation - overlap); }
 };
 
+/** \brief A result that is worked out when it is first asked for. To forget it keeps its memory for the next one. */
+template <typename T>
+class KeptResult
+{
+public:
+  KeptResult&
+  operator= (T&& value)
+  {
+    value_ = std::move (value);
+    known_ = true;
+    return (*this);
+  }
+
+  explicit operator bool () const { return (known_); }
+
+  T&
+  operator* () { return (value_); }
+
+  T*
+  operator-> () { return (&value_); }
+
+  const T*
+  operator-> () const { return (&value_); }
+
+  void
+  forget () { known_ = false; }
+
+  /** \brief From now on it is known: put it into what this gives, which holds an older one. */
+  T&
+  renew ()
+  {
+    known_ = true;
+    return (value_);
+  }
+
+private:
+  T value_;
+  bool known_{false};
+};
+
 /** \brief Cloud in, objects out, one fixation at a time; every stage runs when its result is first asked for, and each can be
   * replaced by the user's own result. */
 class PCL_ATTENTION_EXPORTS AttentionPipeline
@@ -73,6 +113,10 @@ public:
     * \param[in] threads 0: all processors; the result does not depend on it */
   void
   start (OrganizedCloud&& cloud, const Eigen::Isometry3f& sensor_pose, const AttentionParameters& parameters, int threads);
+
+  /** \brief The cloud of the frame that is over, so that the next one can be put into its memory. Then only \ref start. */
+  OrganizedCloud
+  releaseCloud () { return (std::move (cloud_)); }
 
   /** \brief Go on with the same frame and other parameters: the results that do not depend on what has changed are kept with
     * their times, the others are forgotten, the user's own too, and \ref next begins again with the first object. */
@@ -154,6 +198,9 @@ private:
     * saliency, in which it then joins them. */
   void
   prepareObjects ();
+  /** \brief The coarser levels of the pyramid, for the saliency and the supporting planes. */
+  const std::vector<PyramidLevel>&
+  coarser ();
   CompactClustering&
   clustering ();
   void
@@ -194,8 +241,9 @@ private:
   int threads_{1};
   Eigen::Isometry3f sensor_pose_{Eigen::Isometry3f::Identity ()};
   OrganizedCloud cloud_;
-  std::optional<NormalImage> normals_;
-  std::optional<SaliencyMaps> saliency_;
+  KeptResult<NormalImage> normals_;
+  std::vector<PyramidLevel> coarser_; /**< until all that needs them is done */
+  KeptResult<SaliencyMaps> saliency_;
   std::optional<Image<float>> image_saliency_;
   AttentionPrior prior_;
   Image<float> prior_weights_; /**< empty without a prior, and until asked for */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <pcl_attention/core/pyramid.h>
 #include <pcl_attention/core/symmetry.h>
 
 #include <vector>
@@ -32,6 +33,12 @@ struct WinningSymmetry
 PCL_ATTENTION_EXPORTS void
 computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const SaliencyParameters& parameters, int threads,
                  SaliencyMaps& maps);
+
+/** \brief The same where the pyramid is there already.
+  * \param[in] coarser at least one level less than the parameters have, see \ref coarserLevels */
+PCL_ATTENTION_EXPORTS void
+computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const std::vector<PyramidLevel>& coarser,
+                 const SaliencyParameters& parameters, int threads, SaliencyMaps& maps);
 
 /** \brief Which level gives most of the saliency at every pixel, and about which plane it is symmetric there (paper eq. 2 and 9).
   * \param[in] parameters those that the maps were computed with

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_attention/core/patch_graph.h>
+#include <pcl_attention/core/pyramid.h>
 
 namespace pcl_attention
 {
@@ -33,10 +34,16 @@ struct SupportingPlane
 PCL_ATTENTION_EXPORTS float
 estimateDepthNoise (const OrganizedCloud& cloud);
 
+/** \brief How many times a scene is halved to look for planes in it: until it has at most 160 columns. */
+PCL_ATTENTION_EXPORTS int
+supportLevels (int width);
+
 /** \brief Find the supporting plane and the other planes of the background.
+  * \param[in] coarser at least \ref supportLevels levels, see \ref coarserLevels
   * \return the plane that objects stand on first, if there is one */
 PCL_ATTENTION_EXPORTS std::vector<SupportingPlane>
-findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const SupportParameters& parameters);
+findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const std::vector<PyramidLevel>& coarser,
+                      const SupportParameters& parameters);
 
 /** \brief Which points stand on a plane: above it, at most half a metre, and their feet within its outline.
   * \return 1 for those, of the cloud's size */

@@ -146,7 +146,8 @@ template <typename PointT>
 void
 AttentionBase<PointT>::start ()
 {
-  pcl_attention::OrganizedCloud flat = pcl_attention::gather (*input_, indices_.get ());
+  pcl_attention::OrganizedCloud flat = pipeline_.releaseCloud ();
+  pcl_attention::gather (*input_, indices_.get (), flat, static_cast<int> (threads_));
   const Eigen::Isometry3f pose = pcl_attention::sensorPose (*input_);
   std::optional<pcl_attention::NormalImage> flat_normals;
   if (normals_)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_attention/core/attention_points.h>
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/organized_cloud.h>
 
 #include <Eigen/Geometry>
@@ -33,6 +34,9 @@ struct HasRgb<PointT, std::void_t<decltype (PointT::r), decltype (PointT::g), de
 
 /** \brief The largest image that is taken: 64 megapixels, so that row-major indices and sums stay far from overflow. */
 constexpr std::size_t most_pixels = std::size_t{1} << 26;
+
+/** \brief Rows of a cloud that one thread gathers at a time. */
+constexpr int gathered_rows = 60;
 
 /** \brief From the sensor frame to the cloud's. A quaternion of length zero, as of a cloud whose pose was cleared,
  * turns nothing. */
@@ -150,58 +154,74 @@ checkPoint (const AttentionPoint& point, const pcl::PointCloud<PointT>& cloud)
  * viewpoint, are not valid.
  * \param[in] position_at gives the point of an index, as anything with members x, y and z, in metres
  * \param[in] indices the points to take, the others are not valid; null takes all
- * \param[in,out] flat of the right size, without a valid point */
+ * \param[in,out] flat of the right size, whatever is in it
+ * \param[in] threads 0: all processors */
 template <typename PositionAt>
 void
 gatherPositions (const PositionAt& position_at, const pcl::Indices* indices, const Eigen::Isometry3f& sensor_pose,
-                 OrganizedCloud& flat)
+                 OrganizedCloud& flat, int threads = 1)
 {
   const Eigen::Isometry3f to_sensor = sensor_pose.inverse ();
   const bool moved = !to_sensor.matrix ().isIdentity (0.0f);
   const auto take = [&] (std::size_t index) {
     const auto& point = position_at (index);
-    if (!std::isfinite (point.x) || !std::isfinite (point.y) || !std::isfinite (point.z))
-      return;
     Eigen::Vector3f position (point.x, point.y, point.z);
     if (moved)
       position = to_sensor * position;
-    // Negated so that a coordinate too large to be squared is refused as well.
-    if (!(position.z () > 0.0f && position.squaredNorm () < 1e12f))
-      return;
-    flat.valid[index] = 1;
-    flat.x[index] = position.x ();
-    flat.y[index] = position.y ();
-    flat.z[index] = position.z ();
+    // Compared so that what is not a number, or too large to be squared, is refused as well.
+    const bool valid = position.z () > 0.0f && position.squaredNorm () < 1e12f;
+    flat.valid[index] = valid;
+    flat.x[index] = valid ? position.x () : 0.0f;
+    flat.y[index] = valid ? position.y () : 0.0f;
+    flat.z[index] = valid ? position.z () : 0.0f;
   };
   if (indices)
+  {
+    flat.reset (flat.width, flat.height);
     for (const pcl::index_t index : *indices)
       take (static_cast<std::size_t> (index));
-  else
-    for (std::size_t index = 0; index < flat.size (); ++index)
+    return;
+  }
+  forEachBand (flat.height, gathered_rows, threads, [&] (int begin, int end) {
+    const std::size_t width = flat.width;
+    for (std::size_t index = begin * width; index < end * width; ++index)
       take (index);
+  });
 }
 
 /** \brief Gather a cloud with its colours.
- * \param[in] indices see \ref gatherPositions */
+ * \param[in] indices see \ref gatherPositions
+ * \param[in,out] flat any cloud, whose memory is used again
+ * \param[in] threads 0: all processors */
 template <typename PointT>
-OrganizedCloud
-gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
+void
+gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices, OrganizedCloud& flat, int threads)
 {
-  OrganizedCloud flat;
-  flat.reset (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
+  flat.resize (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
+  gatherPositions ([&] (std::size_t index) -> const PointT& { return (cloud[index]); }, indices, sensorPose (cloud), flat,
+                   threads);
   if constexpr (HasRgb<PointT>::value)
   {
     flat.red.resize (cloud.size ());
     flat.green.resize (cloud.size ());
     flat.blue.resize (cloud.size ());
-    for (std::size_t index = 0; index < cloud.size (); ++index)
-    {
-      flat.red[index] = cloud[index].r;
-      flat.green[index] = cloud[index].g;
-      flat.blue[index] = cloud[index].b;
-    }
+    forEachBand (flat.height, gathered_rows, threads, [&] (int begin, int end) {
+      for (std::size_t index = begin * std::size_t{cloud.width}; index < end * std::size_t{cloud.width}; ++index)
+      {
+        flat.red[index] = cloud[index].r;
+        flat.green[index] = cloud[index].g;
+        flat.blue[index] = cloud[index].b;
+      }
+    });
   }
-  gatherPositions ([&] (std::size_t index) -> const PointT& { return (cloud[index]); }, indices, sensorPose (cloud), flat);
+}
+
+template <typename PointT>
+OrganizedCloud
+gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices)
+{
+  OrganizedCloud flat;
+  gather (cloud, indices, flat, 1);
   return (flat);
 }
 

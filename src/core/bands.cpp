@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma once
+#include <pcl_attention/core/bands.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -11,14 +11,8 @@
 namespace pcl_attention
 {
 
-/** \brief Work on an image in bands of rows, several at a time. A stage that runs beside another one shares its bands with the
-  * threads of that team, as they become free.
-  * \param[in] height rows of the image
-  * \param[in] band_height rows of a band: the bands do not depend on the number of threads
-  * \param[in] threads number of threads, unless the caller is one of a team already
-  * \param[in] work takes the first row of a band and the one behind its last, and throws nothing */
-template <typename Work> void
-forEachBand (int height, int band_height, [[maybe_unused]] int threads, const Work& work)
+void
+forEachBand (int height, int band_height, [[maybe_unused]] int threads, const std::function<void (int begin, int end)>& work)
 {
   const auto bands = static_cast<std::size_t> ((height + band_height - 1) / band_height);
   const auto band = [&] (std::size_t index) {
@@ -33,7 +27,8 @@ forEachBand (int height, int band_height, [[maybe_unused]] int threads, const Wo
       band (index);
     return;
   }
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+  const int team = threads > 0 ? threads : omp_get_num_procs ();
+#pragma omp parallel for num_threads(team) schedule(dynamic, 1)
 #endif
   for (std::size_t index = 0; index < bands; ++index)
     band (index);
