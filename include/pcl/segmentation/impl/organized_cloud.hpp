@@ -163,17 +163,20 @@ gatherPositions (const PositionAt& position_at, const pcl::Indices* indices, con
 {
   const Eigen::Isometry3f to_sensor = sensor_pose.inverse ();
   const bool moved = !to_sensor.matrix ().isIdentity (0.0f);
-  const auto take = [&] (std::size_t index) {
+  // Pointers of their own: a byte that is written might otherwise change those of the vectors.
+  float *const x = flat.x.data (), *const y = flat.y.data (), *const z = flat.z.data ();
+  std::uint8_t* const is_valid = flat.valid.data ();
+  const auto take = [=, &position_at] (std::size_t index) {
     const auto& point = position_at (index);
     Eigen::Vector3f position (point.x, point.y, point.z);
     if (moved)
       position = to_sensor * position;
     // Compared so that what is not a number, or too large to be squared, is refused as well.
     const bool valid = position.z () > 0.0f && position.squaredNorm () < 1e12f;
-    flat.valid[index] = valid;
-    flat.x[index] = valid ? position.x () : 0.0f;
-    flat.y[index] = valid ? position.y () : 0.0f;
-    flat.z[index] = valid ? position.z () : 0.0f;
+    is_valid[index] = valid;
+    x[index] = valid ? position.x () : 0.0f;
+    y[index] = valid ? position.y () : 0.0f;
+    z[index] = valid ? position.z () : 0.0f;
   };
   if (indices)
   {
@@ -205,12 +208,14 @@ gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices, Organ
     flat.red.resize (cloud.size ());
     flat.green.resize (cloud.size ());
     flat.blue.resize (cloud.size ());
-    forEachBand (flat.height, gathered_rows, threads, [&] (int begin, int end) {
-      for (std::size_t index = begin * std::size_t{cloud.width}; index < end * std::size_t{cloud.width}; ++index)
+    std::uint8_t *const red = flat.red.data (), *const green = flat.green.data (), *const blue = flat.blue.data ();
+    const PointT* const points = cloud.data ();
+    forEachBand (flat.height, gathered_rows, threads, [=, width = std::size_t{cloud.width}] (int begin, int end) {
+      for (std::size_t index = begin * width; index < end * width; ++index)
       {
-        flat.red[index] = cloud[index].r;
-        flat.green[index] = cloud[index].g;
-        flat.blue[index] = cloud[index].b;
+        red[index] = points[index].r;
+        green[index] = points[index].g;
+        blue[index] = points[index].b;
       }
     });
   }
