@@ -774,7 +774,7 @@ CompactClustering::wholeObject (const std::vector<int>& initial)
       addPatch (label, object);
     growOverBorders (object);
   }
-  while (joinPiece (object))
+  while (parameters_.joinsPieces () && joinPiece (object))
   {
   }
   return (object);

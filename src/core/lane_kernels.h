@@ -124,6 +124,12 @@ struct RoomTest
   int edge_count;
 };
 
+/** \brief A plane with a unit normal. */
+struct FlatPlane
+{
+  float normal[3], offset;
+};
+
 struct LaneKernels
 {
   int lanes; /**< pixels at a time */
@@ -156,6 +162,11 @@ struct LaneKernels
 
   /** \brief 1 for points in the room over a plane, else 0. */
   void (*pointsOver) (const PointArrays& points, std::size_t count, const RoomTest& test, std::uint8_t* over);
+
+  /** \brief Distance of every point to the nearest plane.
+    * \param[in] points of which only the coordinates are looked at */
+  void (*nearestPlane) (const PointArrays& points, std::size_t count, const FlatPlane* planes, std::size_t plane_count,
+                        float* distances);
 };
 
 #ifdef PCL_ATTENTION_INSTRUCTION_SET
@@ -179,6 +190,8 @@ void
 pointsNear (const PointArrays& points, std::size_t count, const SurfaceTest& test, std::uint8_t* near);
 void
 pointsOver (const PointArrays& points, std::size_t count, const RoomTest& test, std::uint8_t* over);
+void
+nearestPlane (const PointArrays& points, std::size_t count, const FlatPlane* planes, std::size_t plane_count, float* distances);
 
 } // namespace PCL_ATTENTION_INSTRUCTION_SET
 #endif

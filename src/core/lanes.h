@@ -127,6 +127,20 @@ maximum (const Lanes& a, const Lanes& b)
   return (select (a > b, a, b));
 }
 
+inline Lanes
+minimum (const Lanes& a, const Lanes& b)
+{
+#if defined(__AVX512F__)
+  return (_mm512_maskz_min_ps (0xffff, a, b)); // without a mask GCC 12 warns falsely
+#elif defined(__AVX2__)
+  return (_mm256_min_ps (a, b));
+#elif defined(__SSE2__)
+  return (_mm_min_ps (a, b));
+#else
+  return (select (a < b, a, b));
+#endif
+}
+
 /** \brief Add a value where the mask is set. */
 inline void
 addWhere (const LaneMask& mask, const Lanes& value, Lanes& sum)

@@ -81,4 +81,33 @@ pointsOver (const PointArrays& points, std::size_t count, const RoomTest& test, 
   }
 }
 
+void
+nearestPlane (const PointArrays& points, std::size_t count, const FlatPlane* planes, std::size_t plane_count, float* distances)
+{
+  // Some at a time, so that a plane is read once for all of them and no minimum waits for the one before.
+  constexpr int together = 4;
+  for (std::size_t begin = 0; begin < count; begin += together * lane_count)
+  {
+    LaneVector position[together];
+    Lanes nearest[together];
+    const auto lanesOf = [&] (int k) {
+      const std::size_t index = begin + k * lane_count;
+      return (index >= count ? 0 : count - index >= lane_count ? lane_count : static_cast<int> (count - index));
+    };
+    for (int k = 0; k < together; ++k)
+    {
+      const std::size_t index = begin + k * lane_count;
+      const int lanes = lanesOf (k);
+      position[k] = {load (points.x + index, lanes), load (points.y + index, lanes), load (points.z + index, lanes)};
+      nearest[k] = broadcast (3.402823466e38f);
+    }
+    for (const FlatPlane* plane = planes; plane != planes + plane_count; ++plane)
+      for (int k = 0; k < together; ++k)
+        nearest[k] = minimum (absolute (plane->normal[0] * position[k].x + plane->normal[1] * position[k].y +
+                                        plane->normal[2] * position[k].z + plane->offset), nearest[k]);
+    for (int k = 0; k < together; ++k)
+      store (nearest[k], distances + begin + k * lane_count, lanesOf (k));
+  }
+}
+
 } // namespace pcl_attention::PCL_ATTENTION_INSTRUCTION_SET

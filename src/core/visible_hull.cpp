@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex_hull.h"
+#include "instruction_set.h"
 
 #include <pcl_attention/core/visible_hull.h>
 
@@ -129,20 +130,22 @@ distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Fa
 }
 
 /** \brief Distance of each point to the nearest plane of some faces. */
-Eigen::ArrayXf
+std::vector<float>
 distancesToPlanes (const std::vector<Eigen::Vector3f>& points, const std::vector<VisibleHull::Face>& faces)
 {
-  const auto count = static_cast<Eigen::Index> (points.size ());
-  Eigen::ArrayXf x (count), y (count), z (count);
-  for (Eigen::Index i = 0; i < count; ++i)
+  const std::size_t count = points.size ();
+  std::vector<float> x (count), y (count), z (count), nearest (count);
+  for (std::size_t i = 0; i < count; ++i)
   {
     x[i] = points[i].x ();
     y[i] = points[i].y ();
     z[i] = points[i].z ();
   }
-  Eigen::ArrayXf nearest = Eigen::ArrayXf::Constant (count, std::numeric_limits<float>::max ());
+  std::vector<FlatPlane> planes;
   for (const VisibleHull::Face& face : faces)
-    nearest = nearest.min ((face.normal.x () * x + face.normal.y () * y + face.normal.z () * z + face.offset).abs ());
+    planes.push_back ({{face.normal.x (), face.normal.y (), face.normal.z ()}, face.offset});
+  const PointArrays arrays{x.data (), y.data (), z.data (), nullptr, nullptr, nullptr, nullptr};
+  laneKernels ().nearestPlane (arrays, count, planes.data (), planes.size (), nearest.data ());
   return (nearest);
 }
 
@@ -152,12 +155,12 @@ meanDistance (const std::vector<Eigen::Vector3f>& points, const std::vector<floa
 {
   if (points.empty () || faces.empty () || hull.dimension < 3)
     return (0.0f);
-  const Eigen::ArrayXf to_planes = distancesToPlanes (points, faces);
+  const std::vector<float> to_planes = distancesToPlanes (points, faces);
   double sum = 0.0, total = 0.0;
   for (std::size_t i = 0; i < points.size (); ++i)
   {
     const double weight = weights.empty () ? 1.0 : weights[i];
-    const float to_plane = to_planes[static_cast<Eigen::Index> (i)];
+    const float to_plane = to_planes[i];
     sum += weight * (face_distance == FaceDistance::plane ? to_plane : distanceToFaces (points[i], faces, to_plane));
     total += weight;
   }

@@ -13,7 +13,7 @@ namespace pcl_attention
   * \param[in] height rows of the image
   * \param[in] band_height rows of a band: the bands do not depend on the number of threads
   * \param[in] threads number of threads, 0: all processors, unless the caller is one of a team already
-  * \param[in] work takes the first row of a band and the one behind its last, and throws nothing */
+  * \param[in] work takes the first row of a band and the one behind its last; what it throws is thrown when all bands are done */
 PCL_ATTENTION_EXPORTS void
 forEachBand (int height, int band_height, int threads, const std::function<void (int begin, int end)>& work);
 

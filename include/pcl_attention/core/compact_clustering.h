@@ -58,6 +58,13 @@ struct ClusteringParameters
   bool join_enclosed{true};           /**< join a piece that an object surrounds; off with -parts */
   bool join_occluded{true};           /**< join pieces of one object that an occluder separates; off with -parts */
 
+  /** \brief Whether anything joins what has grown from different patches. */
+  bool
+  joinsPieces () const
+  {
+    return (join_hollows || join_handles || join_enclosed || join_occluded || absorb_size > 0);
+  }
+
   /** \brief Switch off what joins visible pieces into whole objects (`-parts`). */
   void
   visiblePieces ()
