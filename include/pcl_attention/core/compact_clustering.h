@@ -155,6 +155,10 @@ private:
 
   struct Piece;
 
+  /** \brief The samples of some patches, evenly taken where there are more than it needs. */
+  template <typename Visit> void
+  forEachSample (const std::vector<int>& labels, const Visit& visit) const;
+
   std::vector<int>
   initialPatches (const AttentionPoint& point) const;
 
