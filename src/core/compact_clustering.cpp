@@ -79,6 +79,13 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   hulls_.resize (count);
   pieces_.resize (count);
   patch_hollowness_.resize (count);
+  piece_of_.resize (count);
+  for (std::size_t label = 1; label < count; ++label)
+    if (!patches.patches[label - 1].pixels.empty () && !(parameters.stay_off_support && isSupport (static_cast<int> (label))))
+      seeds_.push_back (static_cast<int> (label));
+  std::stable_sort (seeds_.begin (), seeds_.end (), [&] (int a, int b) {
+    return (patches.patches[a - 1].pixels.size () > patches.patches[b - 1].pixels.size ());
+  });
   histograms_.resize (count);
   if (parameters.color_constraint != ColorConstraint::off)
     color_bins_ = colorBins (cloud);
@@ -447,7 +454,7 @@ CompactClustering::growOverBorders (Piece& piece)
 }
 
 const CompactClustering::Piece&
-CompactClustering::pieceAt (int label)
+CompactClustering::grownFrom (int label)
 {
   if (!pieces_[label])
   {
@@ -457,6 +464,22 @@ CompactClustering::pieceAt (int label)
     pieces_[label] = std::move (piece);
   }
   return (*pieces_[label]);
+}
+
+const CompactClustering::Piece&
+CompactClustering::pieceAt (int label)
+{
+  while (!piece_of_[label])
+  {
+    const int seed = seeds_[next_seed_++];
+    if (piece_of_[seed])
+      continue;
+    const Piece& piece = grownFrom (seed);
+    for (const int member : piece.patches)
+      if (!piece_of_[member])
+        piece_of_[member] = &piece;
+  }
+  return (*piece_of_[label]);
 }
 
 PatchBorder
@@ -782,7 +805,7 @@ CompactClustering::wholeObject (const std::vector<int>& initial)
 {
   Piece object;
   if (initial.size () == 1)
-    object = pieceAt (initial.front ());
+    object = grownFrom (initial.front ());
   else
   {
     for (const int label : initial)
@@ -809,7 +832,7 @@ CompactClustering::takeLargerObject (Piece& object)
     const Piece& piece = pieceAt (neighbor.second);
     if (piece.pixels < much_larger * object.pixels || !seen.insert (*std::min_element (piece.patches.begin (), piece.patches.end ())).second)
       continue;
-    Piece larger = wholeObject ({neighbor.second});
+    Piece larger = wholeObject ({piece.patches.front ()});
     if (2 * commonPixels (larger, object) > object.pixels)
     {
       object = std::move (larger);

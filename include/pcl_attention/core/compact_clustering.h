@@ -210,6 +210,10 @@ private:
 
   /** \brief What grows from a patch on its own. */
   const Piece&
+  grownFrom (int label);
+
+  /** \brief The piece that a neighbour belongs to: of those that grow from the patches, the largest first, the first that has it. */
+  const Piece&
   pieceAt (int label);
 
   /** \brief Border of a piece to all patches of another that it does not have itself. */
@@ -280,6 +284,9 @@ private:
   std::vector<std::vector<Sample>> samples_;                /**< of label k at [k] */
   std::vector<std::unique_ptr<ObjectHull>> hulls_;          /**< of label k at [k]; null until asked for */
   std::vector<std::unique_ptr<Piece>> pieces_;              /**< from label k at [k]; null until asked for */
+  std::vector<const Piece*> piece_of_;                      /**< of label k at [k]; null until known */
+  std::vector<int> seeds_;                                  /**< labels, the largest patch first */
+  std::size_t next_seed_{0};                                /**< of seeds_: the first that may have no piece yet */
   std::vector<std::optional<float>> patch_hollowness_;      /**< of label k at [k], once asked for */
   std::vector<ColorHistogram> histograms_;                  /**< of label k at [k]; empty without colour */
   ColorHistogram scene_histogram_;                          /**< of all points; empty without the colour constraint */
