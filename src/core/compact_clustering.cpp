@@ -3,10 +3,12 @@
 #include "object_hull.h"
 #include "point_at.h"
 
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/compact_clustering.h>
 #include <pcl_attention/core/supporting_plane.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <set>
 
@@ -480,6 +482,26 @@ CompactClustering::pieceAt (int label)
         piece_of_[member] = &piece;
   }
   return (*piece_of_[label]);
+}
+
+void
+CompactClustering::growAhead (int threads, const std::function<bool ()>& is_over)
+{
+  if (!parameters_.joinsPieces ())
+    return; // then only what a fixation leads to is grown
+  // First all that the pieces share; then each fills a place of its own.
+  const int count = static_cast<int> (seeds_.size ());
+  forEachBand (count, 1, threads, [&] (int k, int) {
+    patchHull (seeds_[k]);
+    patchHollowness (seeds_[k]);
+  });
+  std::vector<std::atomic<bool>> is_covered (pieces_.size ());
+  forEachBand (count, 1, threads, [&] (int k, int) {
+    if (is_over () || is_covered[seeds_[k]])
+      return;
+    for (const int member : grownFrom (seeds_[k]).patches)
+      is_covered[member] = true;
+  });
 }
 
 PatchBorder

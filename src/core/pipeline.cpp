@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <exception>
@@ -145,6 +146,7 @@ AttentionPipeline::start (OrganizedCloud&& cloud, const Eigen::Isometry3f& senso
   image_saliency_.reset ();
   setPrior (AttentionPrior ());
   times_ = StageTimes ();
+  expects_all_ = false;
 }
 
 void
@@ -412,14 +414,20 @@ AttentionPipeline::prepareObjects ()
   double milliseconds = 0.0;
   const double before = times_.total ();
   std::exception_ptr patch_error, point_error;
+  std::atomic<bool> points_are_there{false};
   {
     const StageTimer timer (milliseconds);
 #pragma omp parallel num_threads(threads_)
 #pragma omp single
     {
 #pragma omp task
-      patch_error = exceptionOf ([this] { clustering (); });
+      patch_error = exceptionOf ([&] {
+        clustering ();
+        const StageTimer piece_timer (times_.segmentation);
+        clustering_->growAhead (threads_, [&] { return (points_are_there && !expects_all_); });
+      });
       point_error = exceptionOf ([this] { attentionPoints (); });
+      points_are_there = true;
     }
   }
   times_.overlap += std::max (0.0, times_.total () - before - milliseconds);

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -140,6 +141,13 @@ public:
     * \return false when there is no patch at the point and none within the initial radius */
   bool
   grow (const AttentionPoint& point, AttentionSegment& segment);
+
+  /** \brief Grow beforehand, several at a time, the pieces that objects are put together from. The results of \ref grow do not
+    * depend on it.
+    * \param[in] threads number of threads, 0: all processors, unless the caller is one of a team already
+    * \param[in] is_over asked before each piece: whether to leave the others */
+  void
+  growAhead (int threads, const std::function<bool ()>& is_over);
 
   /** \brief Of the cloud, pixels; 0 where it has too few points to tell. */
   float

@@ -167,6 +167,11 @@ public:
   const std::vector<SupportingPlane>&
   supportingPlanes ();
 
+  /** \brief Say that all objects of this frame will be asked for, not only the first ones, so that several threads work out
+    * together what they are made of. */
+  void
+  expectAll () { expects_all_ = true; }
+
   /** \brief The next object in order of attention.
     * \return false when there is none left */
   bool
@@ -268,6 +273,7 @@ private:
   std::vector<Waiting> waiting_; /**< in the order of their points */
   std::vector<std::uint8_t> claimed_; /**< 1 where a segment was found */
   int segments_found_{0};
+  bool expects_all_{false};
   StageTimes times_;
 };
 

@@ -16,6 +16,7 @@ AttentionSegmentation<PointT>::segment (std::vector<AttentionSegment>& segments)
   this->forget ();
   const bool done = run ("segment", [&] {
     AttentionSegment next;
+    pipeline_.expectAll ();
     while (pipeline_.next (next))
     {
       this->restoreLabels (next);
