@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_attention/core/parameters.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -239,8 +240,10 @@ describeRange (const ParameterDescription& row)
 bool
 inRange (const ParameterDescription& row, double value)
 {
-  return (std::isfinite (value) && value >= row.minimum && value <= row.maximum &&
-          (!row.integer || value == std::floor (value)));
+  // A field of type float holds the ends of its range rounded to either side.
+  const double minimum = std::min (row.minimum, static_cast<double> (static_cast<float> (row.minimum)));
+  const double maximum = std::max (row.maximum, static_cast<double> (static_cast<float> (row.maximum)));
+  return (std::isfinite (value) && value >= minimum && value <= maximum && (!row.integer || value == std::floor (value)));
 }
 
 } // namespace

@@ -166,6 +166,28 @@ TEST (ParameterTable, BadTextIsRefusedWithWhatWouldBeRight)
   EXPECT_NE (refused ("color_constraint", "printed").find ("one of off nearer_object as_printed"), std::string::npos);
 }
 
+TEST (Validate, TakesBothEndsOfEveryRange)
+{
+  for (const ParameterDescription& row : parameterTable ())
+    for (const double end : {row.minimum, row.maximum})
+    {
+      AttentionParameters parameters;
+      parameters.image_symmetry.inner_radius = row.name == "image_outer_radius" ? 1 : 7;
+      parameters.image_symmetry.outer_radius = 100;
+      row.set (parameters, end);
+      EXPECT_EQ (validate (parameters), "");
+    }
+}
+
+TEST (Validate, TakesARingOfOneRadiusButNoneInsideOut)
+{
+  AttentionParameters parameters;
+  parameters.image_symmetry.inner_radius = parameters.image_symmetry.outer_radius = 9;
+  EXPECT_EQ (validate (parameters), "");
+  parameters.image_symmetry.inner_radius = 10;
+  EXPECT_EQ (validate (parameters), "image_inner_radius is 10, but must not exceed image_outer_radius, which is 9");
+}
+
 TEST (Validate, NamesTheFirstValueOutOfRange)
 {
   for (const ParameterDescription& row : parameterTable ())
