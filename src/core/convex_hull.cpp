@@ -6,6 +6,8 @@
 #include <pcl/point_types.h>
 #include <pcl/surface/convex_hull.h>
 
+#include <numeric>
+
 namespace pcl_attention
 {
 
@@ -19,6 +21,10 @@ computeConvexHull (const std::vector<Eigen::Vector3f>& points, int dimension)
   pcl::ConvexHull<pcl::PointXYZ> hull;
   hull.setDimension (dimension);
   hull.setInputCloud (cloud);
+  // PCL's own list of all points would be left empty, and the hull wrong, where there is no memory for it.
+  const pcl::IndicesPtr all (new pcl::Indices (cloud->size ()));
+  std::iota (all->begin (), all->end (), 0);
+  hull.setIndices (all);
   pcl::PointCloud<pcl::PointXYZ> vertices;
   std::vector<pcl::Vertices> polygons;
   hull.reconstruct (vertices, polygons);

@@ -51,7 +51,7 @@ protected:
   AttentionBase (const AttentionBase&) = delete;
   AttentionBase& operator= (const AttentionBase&) = delete;
 
-  virtual std::string getClassName () const = 0;
+  virtual const char* getClassName () const = 0;
 
   /** \brief Bring normals instead of having them estimated: one per point, of any length, NaN where not known; they are
    * turned towards the viewpoint. Null goes back to estimating. */

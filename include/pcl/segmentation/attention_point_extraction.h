@@ -163,7 +163,7 @@ protected:
   using AttentionBase<PointT>::input_;
   using AttentionBase<PointT>::pipeline_;
 
-  std::string
+  const char*
   getClassName () const override
   {
     return ("AttentionPointExtraction");

@@ -5,6 +5,9 @@
 
 #include <pcl/ModelCoefficients.h>
 #include <pcl/common/io.h>
+#include <pcl/console/print.h>
+
+#include <new>
 
 namespace pcl
 {
@@ -114,7 +117,7 @@ protected:
   using AttentionBase<PointT>::changeParameters;
   using AttentionBase<PointT>::run;
 
-  std::string
+  const char*
   getClassName () const override
   {
     return ("AttentionSegmentation");
@@ -130,7 +133,17 @@ AttentionSegmentation<PointT>::segment (pcl::PointCloud<PointLT>& labels, std::v
   labels = pcl::PointCloud<PointLT> ();
   if (!extract (clusters))
     return (false);
-  pcl::copyPointCloud (*input_, labels);
+  try
+  {
+    pcl::copyPointCloud (*input_, labels);
+  }
+  catch (const std::bad_alloc&)
+  {
+    PCL_ERROR ("[pcl::%s::segment] Failed: not enough memory.\n", getClassName ());
+    labels = pcl::PointCloud<PointLT> ();
+    clusters.clear ();
+    return (false);
+  }
   for (PointLT& point : labels)
     point.label = 0;
   for (std::size_t cluster = clusters.size (); cluster > 0; --cluster)

@@ -72,7 +72,7 @@ public:
 protected:
   using AttentionBase<PointT>::pipeline_;
 
-  std::string
+  const char*
   getClassName () const override
   {
     return ("CompactPatchClustering");

@@ -165,7 +165,7 @@ protected:
   using AttentionBase<PointT>::input_;
   using AttentionBase<PointT>::pipeline_;
 
-  std::string
+  const char*
   getClassName () const override
   {
     return ("SymmetrySaliencyEstimation");

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 
 namespace pcl
 {
@@ -197,6 +198,13 @@ AttentionBase<PointT>::run (const char* method, const Work& work)
     prior_is_new_ = false;
     return (work ());
   }
+  catch (const std::bad_alloc&)
+  {
+    // There may be no memory for a text either.
+    forget ();
+    PCL_ERROR ("[pcl::%s::%s] Failed: not enough memory.\n", getClassName (), method);
+    return (false);
+  }
   catch (const std::exception& error)
   {
     forget ();
@@ -234,7 +242,7 @@ bool
 AttentionBase<PointT>::accept (const char* method, const std::string& problem) const
 {
   if (!problem.empty ())
-    PCL_ERROR ("[pcl::%s::%s] %s\n", getClassName ().c_str (), method, problem.c_str ());
+    PCL_ERROR ("[pcl::%s::%s] %s\n", getClassName (), method, problem.c_str ());
   return (problem.empty ());
 }
 

@@ -35,15 +35,18 @@ AttentionSegmentation<PointT>::extract (std::vector<pcl::PointIndices>& clusters
 {
   clusters.clear ();
   std::vector<AttentionSegment> segments;
-  if (!segment (segments))
-    return (false);
-  for (AttentionSegment& object : segments)
-  {
-    clusters.emplace_back ();
-    clusters.back ().header = input_->header;
-    clusters.back ().indices = std::move (object.indices);
-  }
-  return (true);
+  const bool done = segment (segments) && run ("extract", [&] {
+    for (AttentionSegment& object : segments)
+    {
+      clusters.emplace_back ();
+      clusters.back ().header = input_->header;
+      clusters.back ().indices = std::move (object.indices);
+    }
+    return (true);
+  });
+  if (!done)
+    clusters.clear ();
+  return (done);
 }
 
 template <typename PointT>
@@ -68,10 +71,12 @@ std::vector<SupportingPlane>
 AttentionSegmentation<PointT>::getSupportingPlanes ()
 {
   std::vector<SupportingPlane> planes;
-  run ("getSupportingPlanes", [&] {
+  const bool done = run ("getSupportingPlanes", [&] {
     planes = pipeline_.supportingPlanes ();
     return (true);
   });
+  if (!done)
+    planes.clear ();
   return (planes);
 }
 
@@ -79,16 +84,22 @@ template <typename PointT>
 bool
 AttentionSegmentation<PointT>::getSupportingPlane (pcl::PointIndices& inliers, pcl::ModelCoefficients& coefficients)
 {
-  inliers = pcl::PointIndices ();
-  coefficients = pcl::ModelCoefficients ();
-  const std::vector<SupportingPlane> planes = getSupportingPlanes ();
-  if (planes.empty () || !planes.front ().supports_objects)
-    return (false);
-  inliers.header = coefficients.header = input_->header;
-  inliers.indices = planes.front ().indices;
-  const Eigen::Vector4f& plane = planes.front ().coefficients;
-  coefficients.values.assign (plane.data (), plane.data () + 4);
-  return (true);
+  const bool found = run ("getSupportingPlane", [&] {
+    const std::vector<SupportingPlane>& planes = pipeline_.supportingPlanes ();
+    if (planes.empty () || !planes.front ().supports_objects)
+      return (false);
+    inliers.header = coefficients.header = input_->header;
+    inliers.indices = planes.front ().indices;
+    const Eigen::Vector4f& plane = planes.front ().coefficients;
+    coefficients.values.assign (plane.data (), plane.data () + 4);
+    return (true);
+  });
+  if (!found)
+  {
+    inliers = pcl::PointIndices ();
+    coefficients = pcl::ModelCoefficients ();
+  }
+  return (found);
 }
 
 } // namespace pcl

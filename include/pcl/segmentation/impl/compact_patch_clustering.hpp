@@ -33,7 +33,7 @@ CompactPatchClustering<PointT>::segment (std::vector<AttentionSegment>& segments
     segments.clear ();
   else if (skipped > 0)
     PCL_WARN ("[pcl::%s::segment] %zu of %zu attention points skipped: no patch to start with lies near them.\n",
-              getClassName ().c_str (), skipped, skipped + segments.size ());
+              getClassName (), skipped, skipped + segments.size ());
   return (done);
 }
 
