@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 #include "scene_renderer.h"
+#include "whole_file.h"
 
 #include <pcl/console/print.h>
+#include <pcl/conversions.h>
 #include <pcl/io/pcd_io.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <unistd.h>
+#include <sstream>
+#include <stdexcept>
 
 namespace po = boost::program_options;
 
@@ -17,23 +20,16 @@ namespace
 
 using Cloud = pcl::PointCloud<pcl::PointXYZRGBL>;
 
-/** \brief Write beside the target and rename, so that the target is never half a file. */
 void
 save (const Cloud& cloud, const std::string& file)
 {
-  const std::string part = file + ".part" + std::to_string (getpid ());
-  try
-  {
-    if (pcl::io::savePCDFileBinaryCompressed (part, cloud) < 0)
-      throw std::runtime_error ("the PCD writer failed");
-    std::filesystem::rename (part, file);
-  }
-  catch (const std::exception&)
-  {
-    std::error_code ignored;
-    std::filesystem::remove (part, ignored);
-    throw std::runtime_error ("cannot write '" + file + "': its directory has to exist, be writable and have room");
-  }
+  pcl::PCLPointCloud2 points;
+  pcl::toPCLPointCloud2 (cloud, points);
+  std::ostringstream stream;
+  stream.imbue (std::locale::classic ());
+  if (pcl::PCDWriter ().writeBinaryCompressed (stream, points, cloud.sensor_origin_, cloud.sensor_orientation_) != 0)
+    throw std::runtime_error (file + ": its points cannot be encoded as PCD");
+  pcl_attention::writeWholeFile (file, stream.str ());
 }
 
 /** \return OUTPUT_0003.pcd for number 3 of several, OUTPUT.pcd for a single scene */

@@ -160,6 +160,7 @@ TEST (WholeFile, isReplacedAsAWholeOrLeft)
   EXPECT_EQ (errorOf ([&] { writeWholeFile (folder / "folder", ""); }).find ((folder / "folder") + ": cannot be written"),
              0u);
   EXPECT_EQ (test::namesIn (folder / ""), (Names{"a.csv", "folder"})) << "nothing temporary is left";
+  EXPECT_EQ (errorOf ([&] { writeWholeFile ("/dev/full", "text"); }), "/dev/full: cannot be written: No space left on device");
 }
 
 } // namespace

@@ -194,6 +194,25 @@ TEST_F (SceneInputs, SurvivesDamagedImages)
   EXPECT_EQ (errorOfReading (file, options), "");
 }
 
+TEST_F (SceneInputs, IsToldWhereverAnImageIsCut)
+{
+  const std::string file = saveDepths ("scene.png", depthsOfWall (1000));
+  saveColors ("color.png", coloredWall ());
+  SceneOptions options = withCamera ();
+  options.color = folder_ / "color.png";
+  EXPECT_EQ (errorOfReading (file, options), "");
+  for (const std::string& cut : {file, options.color})
+  {
+    const std::string whole = test::readText (cut);
+    for (std::size_t length = 0; length + 12 < whole.size (); ++length)
+    {
+      test::writeText (cut, whole.substr (0, length));
+      EXPECT_NE (errorOfReading (file, options), "") << cut << " cut to " << length;
+    }
+    test::writeText (cut, whole);
+  }
+}
+
 TEST_F (SceneInputs, ReadsPly)
 {
   auto cloud = coloredWall ();

@@ -141,7 +141,7 @@ TEST_F (MakeScene, UnwritableTargetsExitWithOneAndOneLine)
     EXPECT_EQ (run (arguments), 1) << arguments;
     EXPECT_EQ (out_, "");
     EXPECT_EQ (std::count (err_.begin (), err_.end (), '\n'), 1) << err_;
-    EXPECT_NE (err_.find ("cannot write"), std::string::npos) << err_;
+    EXPECT_NE (err_.find (": cannot be written: "), std::string::npos) << err_;
     EXPECT_EQ (files (), std::set<std::string>{"taken.pcd"}) << "nothing is left behind";
   }
 }
