@@ -34,6 +34,23 @@ expectNear (const Image<float>& map, const Image<double>& expected, double toler
 
 } // namespace
 
+TEST (Halving, IsValidFromHalfOfTheKernelsWeightOn)
+{
+  // Under the third coarse column lie the fine columns 3 to 6; their weights are 1/8, 3/8, 3/8, 1/8, exact in float.
+  for (const auto& [first_hole, is_valid] : {std::pair<int, bool> (5, true), {4, false}})
+  {
+    Frame frame = shapes::look (shapes::plane ({0, 0, 1}, {0, 0, -1}), {16, 12});
+    for (int row = 0; row < 12; ++row)
+      for (int column = first_hole; column < 16; ++column)
+        frame.invalidate (frame.index (column, row));
+    Frame half;
+    halve (frame.cloud, frame.normals, 1, half.cloud, half.normals);
+    EXPECT_EQ (half.cloud.valid[3 * 8 + 2] == 1, is_valid);
+    EXPECT_EQ (half.cloud.valid[3 * 8 + 1], 1);
+    EXPECT_EQ (half.cloud.valid[3 * 8 + 3], 0);
+  }
+}
+
 TEST (Halving, EqualsTheNaiveVersion)
 {
   for (const auto& [width, height] :

@@ -154,6 +154,23 @@ TEST (Saliency, IsBetweenZeroAndOneWithItsMaximumAtOneAndZeroWhereThereIsNoPoint
   }
 }
 
+TEST (Saliency, IsOneAtItsMaximumAlsoInTheLastPixel)
+{
+  SaliencyParameters parameters;
+  parameters.levels = 1;
+  parameters.blur_radius = 0;
+  parameters.saliency_floor = 0.0f;
+  parameters.convexity_gate = false;
+  int in_last_pixel = 0;
+  for (unsigned seed = 1; seed <= 400; ++seed)
+  {
+    const SaliencyMaps maps = saliencyOf (shapes::hills (seed, {7, 5}), parameters);
+    EXPECT_EQ (*std::max_element (maps.saliency.data.begin (), maps.saliency.data.end ()), 1.0f) << seed;
+    in_last_pixel += maps.saliency.data.back () == 1.0f;
+  }
+  EXPECT_GT (in_last_pixel, 0) << "the scenes show nothing";
+}
+
 TEST (Saliency, TheWinningPlaneIsKnownWhereverThereIsSaliency)
 {
   // The header says 1..3, and 0 where S is 0.

@@ -79,6 +79,26 @@ TEST (WinnerTakeAll, leavesOutWhatIsUnderTheThreshold)
   EXPECT_EQ (findWinners (map, cell, 0.35f, width).size (), 1u);
 }
 
+TEST (WinnerTakeAll, leavesOutWhatJustReachesTheThreshold)
+{
+  Image<float> map (320, 240, 0.0f);
+  addBlob (map, 40, 40, 5, 1.0f);
+  addBlob (map, 200, 120, 5, 0.5f);
+  EXPECT_EQ (findWinners (map, cell, 0.5f, width).size (), 1u);
+}
+
+TEST (WinnerTakeAll, takesTheMeanOfTheCellThatTheImageLeaves)
+{
+  // 24 pixels are a cell and a half.
+  Image<float> map (24, cell, 0.0f);
+  for (int row = 0; row < cell; ++row)
+    for (int column = cell; column < 24; ++column)
+      map (column, row) = 0.75f;
+  const std::vector<Winner> winners = findWinners (map, cell, 0.0f, width);
+  ASSERT_EQ (winners.size (), 1u);
+  EXPECT_EQ (winners[0].saliency, 0.75f);
+}
+
 TEST (WinnerTakeAll, inhibitsTheReturnAndTheNeighbours)
 {
   // A plateau is alike everywhere: the next winner is out of the inhibition, which reaches about three widths.

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plane that objects stand on, what stands over it, and the patches cut along it, on scenes of steps seen from above.
+#include "shapes.h"
+#include <pcl_attention/core/planar_patches.h>
+#include <pcl_attention/core/supporting_plane.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace pcl_attention;
+using Eigen::Vector3d;
+
+namespace
+{
+
+constexpr int width = 160, height = 120;
+
+/** \brief A rectangle of pixels, the last column and row included. */
+struct Rectangle
+{
+  int left, top, right, bottom;
+
+  bool
+  contains (int column, int row) const
+  {
+    return (column >= left && column <= right && row >= top && row <= bottom);
+  }
+
+  std::size_t
+  pixels () const
+  {
+    return (static_cast<std::size_t> (right - left + 1) * (bottom - top + 1));
+  }
+};
+
+constexpr Rectangle middle{60, 40, 99, 79};
+
+/** \brief A level surface seen from above with a level rectangle of another height; patches 1 and 2. */
+struct Step
+{
+  shapes::Frame frame = shapes::emptyFrame (width, height);
+  PlanarPatches patches;
+
+  Step (double depth, const Rectangle& rectangle, double depth_of_rectangle, double focal_length = 120.0)
+  {
+    const shapes::Camera camera{width, height, focal_length};
+    patches.labels.assign (width, height, 1);
+    for (int row = 0; row < height; ++row)
+      for (int column = 0; column < width; ++column)
+      {
+        const bool inside = rectangle.contains (column, row);
+        frame.set (frame.index (column, row), camera.ray (column, row) * (inside ? depth_of_rectangle : depth), {0, 0, -1});
+        if (inside)
+          patches.labels (column, row) = 2;
+      }
+    describePatches (frame.cloud, patches);
+  }
+
+  std::vector<SupportingPlane>
+  planes () const
+  {
+    const std::vector<PyramidLevel> coarser = coarserLevels (frame.cloud, frame.normals, supportLevels (width), 1);
+    return (findSupportingPlanes (frame.cloud, frame.normals, coarser, SupportParameters ()));
+  }
+
+  /** \brief The surface around the rectangle is measured, but no plane. */
+  void
+  roughenSurroundings ()
+  {
+    std::mt19937 random (1);
+    std::uniform_real_distribution<double> factor (0.95, 1.05);
+    for (std::size_t index = 0; index < frame.cloud.size (); ++index)
+    {
+      if (patches.labels[index] == 1)
+        frame.set (index, frame.point (index) * factor (random), {0, 0, -1});
+      patches.labels[index] -= 1;
+    }
+    describePatches (frame.cloud, patches);
+  }
+};
+
+} // namespace
+
+TEST (SupportingPlanes, ATableWithABoxIsTheTable)
+{
+  const Step scene (1.0, middle, 0.9);
+  const std::vector<SupportingPlane> planes = scene.planes ();
+  ASSERT_EQ (planes.size (), 1u) << "the box's top is surrounded by what is lower";
+  const SupportingPlane& table = planes.front ();
+  EXPECT_TRUE (table.supports_objects);
+  EXPECT_LT ((table.coefficients - Eigen::Vector4f (0, 0, -1, 1)).norm (), 1e-4f);
+  EXPECT_EQ (table.indices, scene.patches.patches[0].pixels);
+  EXPECT_EQ (table.confidence, 1.0f) << "nothing is below";
+}
+
+TEST (SupportingPlanes, HaveTheAreaOfTheirPixels)
+{
+  // A pixel covers (1 / 525 m)^2 of a level surface at a metre; the rays are slanted by 11 degrees at most.
+  const std::vector<SupportingPlane> planes = Step (1.0, middle, 0.9, 525.0).planes ();
+  ASSERT_EQ (planes.size (), 1u);
+  const double area = static_cast<double> (width * height - middle.pixels ()) / (525.0 * 525.0);
+  EXPECT_NEAR (planes.front ().area, area, 0.02 * area);
+}
+
+TEST (SupportingPlanes, WhatIsSurroundedByLowerThingsSupportsNothing)
+{
+  // 0.67 m^2, but inside the image: no wall and no floor.
+  Step platform (1.0, {8, 8, 151, 111}, 0.8);
+  platform.roughenSurroundings ();
+  EXPECT_TRUE (platform.planes ().empty ());
+
+  // As large and up to the border: background, but nothing to stand on.
+  Step stage (1.0, {0, 20, 159, 99}, 0.8);
+  stage.roughenSurroundings ();
+  const std::vector<SupportingPlane> planes = stage.planes ();
+  ASSERT_EQ (planes.size (), 1u);
+  EXPECT_FALSE (planes.front ().supports_objects);
+  EXPECT_LT (planes.front ().confidence, 0.1f);
+  EXPECT_EQ (planes.front ().indices, stage.patches.patches[0].pixels);
+}
+
+TEST (SupportingPlanes, AShelfAtTheBorderIsTooSmallForAWall)
+{
+  // 0.14 m^2 and a sixth of the points.
+  const std::vector<SupportingPlane> planes = Step (1.0, {0, 50, 159, 69}, 0.8).planes ();
+  ASSERT_EQ (planes.size (), 1u);
+  EXPECT_TRUE (planes.front ().supports_objects);
+  EXPECT_NEAR (planes.front ().coefficients[3], 1.0f, 1e-4f) << "the table under it";
+}
+
+TEST (PointsOver, AreAboveThePlaneUpToHalfAMetreWithTheirFeetOnIt)
+{
+  Step scene (1.0, middle, 1.0);
+  SupportingPlane plane;
+  plane.coefficients << 0, 0, -1, 1;
+  plane.indices = scene.patches.patches[1].pixels; // 40 x 40 pixels in the middle: +-0.1625 m
+  const auto isOver = [&] (double x, double y, double z) {
+    scene.frame.set (0, {x, y, z}, {0, 0, -1});
+    return (findPointsOver (scene.frame.cloud, plane)[0] == 1);
+  };
+  EXPECT_TRUE (isOver (0, 0, 0.9));
+  EXPECT_TRUE (isOver (0, 0, 0.51));
+  EXPECT_FALSE (isOver (0, 0, 0.49)) << "higher than half a metre";
+  EXPECT_FALSE (isOver (0, 0, 1.1)) << "below";
+  EXPECT_FALSE (isOver (0, 0, 1.001)) << "just below";
+  // The outline is 5 cm wider than the points.
+  EXPECT_TRUE (isOver (0.21, 0, 0.9));
+  EXPECT_FALSE (isOver (0.22, 0, 0.9));
+  EXPECT_TRUE (isOver (0, -0.21, 0.9));
+  EXPECT_FALSE (isOver (0, -0.22, 0.9));
+  scene.frame.cloud.valid[0] = 0;
+  EXPECT_EQ (findPointsOver (scene.frame.cloud, plane)[0], 0) << "not valid";
+}
+
+TEST (CutAlongPlanes, LeavesThePiecesOfEachPatch)
+{
+  // Patches 1 and 2 lie side by side, a background plane crosses both, and patch 3 is but a corner of two pixels.
+  Step scene (1.0, {80, 0, 159, 119}, 1.0);
+  scene.patches.labels (0, 0) = scene.patches.labels (1, 0) = 3;
+  describePatches (scene.frame.cloud, scene.patches);
+  SupportingPlane plane;
+  for (int row = 50; row < 60; ++row)
+    for (int column = 0; column < width; ++column)
+      plane.indices.push_back (row * width + column);
+  PatchParameters parameters;
+  parameters.minimum_size = 3;
+  parameters.reassign_distance = 0.0f;
+  const std::vector<std::uint8_t> is_background = cutAlongPlanes (scene.frame.cloud, {plane}, parameters, scene.patches);
+  EXPECT_EQ (is_background, (std::vector<std::uint8_t>{0, 1, 0, 0, 0, 0}));
+  ASSERT_EQ (scene.patches.patches.size (), 5u);
+  const Image<int>& labels = scene.patches.labels;
+  EXPECT_EQ (scene.patches.patches[0].pixels, plane.indices);
+  // In the order of the old ones: above and below the plane of patch 1, then of patch 2.
+  EXPECT_EQ (labels (79, 0), 2);
+  EXPECT_EQ (labels (0, 119), 3);
+  EXPECT_EQ (labels (80, 0), 4);
+  EXPECT_EQ (labels (159, 119), 5);
+  EXPECT_EQ (labels (0, 0), 0) << "too small to be a patch";
+  EXPECT_EQ (scene.patches.patches[1].pixels.size (), 50u * 80u - 2u);
+  EXPECT_EQ (scene.patches.patches[2].pixels.size (), 60u * 80u);
+  EXPECT_EQ (scene.patches.patches[3].pixels.size (), 50u * 80u);
+  EXPECT_EQ (scene.patches.patches[4].pixels.size (), 60u * 80u);
+}
