@@ -2,8 +2,8 @@
 # The long checks: what .ci/run has no time for. One line a check at the end; fails if one of them failed.
 #
 # Usage: scripts/check_all.sh [CHECK...]
-# CHECK: release static clang library debug asan tsan coverage packages documentation scripts; without one, all of them in
-# this order.
+# CHECK: release static clang library debug asan tsan builds coverage mutants packages documentation scripts; without one,
+# all of them in this order.
 set -euo pipefail
 
 # shellcheck source=scripts/common.sh
@@ -30,6 +30,27 @@ build_library_alone() {
     cmake -P test/drop_in/expect_no_vtk.cmake build/library/from_depth_image
 }
 
+# The same bytes from builds of other optimization, and with sanitizers; summary.json has times in it.
+compare_builds() {
+  local preset scenes=build/builds/scenes
+  rm -rf build/builds
+  mkdir -p "$scenes"
+  for preset in release debug asan; do
+    configure "$preset" &&
+      cmake --build --preset "$preset" --target pcl_attention_segment pcl_attention_make_scene || return
+  done
+  build/release/bin/pcl_attention_make_scene "$scenes/clutter.pcd" -kind clutter -count 4 > /dev/null &&
+    build/release/bin/pcl_attention_make_scene "$scenes/stacked.pcd" -kind stacked -count 2 -world > /dev/null || return
+  for preset in release debug asan; do
+    "build/$preset/bin/pcl_attention_segment" "$scenes" -output_dir "build/builds/$preset" > /dev/null 2>&1 &&
+      "build/$preset/bin/pcl_attention_segment" "$scenes" -preset paper -output_dir "build/builds/$preset/paper" \
+        > /dev/null 2>&1 || return
+  done
+  for preset in debug asan; do
+    diff --recursive --brief --exclude=summary.json build/builds/release "build/builds/$preset" || return
+  done
+}
+
 # Called in a condition, where set -e does not reach: hence the &&.
 check() {
   case "$1" in
@@ -41,11 +62,13 @@ check() {
     static) build_and_test_in static -D BUILD_SHARED_LIBS=OFF ;;
     clang) build_and_test_in clang -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ ;;
     library) build_library_alone ;;
+    builds) compare_builds ;;
+    mutants) scripts/check_mutants.py ;;
     packages) scripts/check_packages.sh ;;
     documentation) configure release && cmake --build --preset release --target documentation ;;
     coverage)
       build_and_test coverage &&
-        gcovr --root . --filter src/ --filter include/ --exclude-throw-branches --print-summary \
+        gcovr --root . --filter src/ --filter include/ --exclude-throw-branches --print-summary --fail-under-line 95 \
           --html-details build/coverage/report.html build/coverage
       ;;
     scripts) shellcheck --external-sources .ci/run scripts/*.sh test/viewer/*.sh ;;
@@ -58,7 +81,7 @@ check() {
 
 help_if_asked "$@"
 scripts/install_dependencies.sh build test checks packages documentation
-(($#)) || set -- release static clang library debug asan tsan coverage packages documentation scripts
+(($#)) || set -- release static clang library debug asan tsan builds coverage mutants packages documentation scripts
 
 results=()
 failed=0
