@@ -100,6 +100,10 @@ fitGatedWindows (const OrganizedCloud& cloud, int radius, float gate, int thread
 void
 fitIntegralImages (const OrganizedCloud& cloud, int radius, float gate, NormalImage& normals)
 {
+  // PCL gives none to a border of this width, and writes out of bounds where the image is not wider than that.
+  const int border = 2 * radius + 1;
+  if (cloud.width <= 2 * border || cloud.height <= 2 * border)
+    return;
   pcl::PointCloud<pcl::PointXYZ>::Ptr points (new pcl::PointCloud<pcl::PointXYZ> (cloud.width, cloud.height));
   constexpr float nan = std::numeric_limits<float>::quiet_NaN ();
   for (std::size_t index = 0; index < cloud.size (); ++index)
@@ -109,7 +113,7 @@ fitIntegralImages (const OrganizedCloud& cloud, int radius, float gate, NormalIm
   pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   estimation.setNormalEstimationMethod (estimation.COVARIANCE_MATRIX);
   estimation.setMaxDepthChangeFactor (gate);
-  estimation.setNormalSmoothingSize (static_cast<float> (2 * radius + 1));
+  estimation.setNormalSmoothingSize (static_cast<float> (border));
   estimation.setInputCloud (points);
   pcl::PointCloud<pcl::Normal> estimated;
   estimation.compute (estimated);

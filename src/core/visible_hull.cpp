@@ -4,7 +4,6 @@
 
 #include <pcl_attention/core/visible_hull.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -13,31 +12,6 @@
 
 namespace pcl_attention
 {
-
-namespace
-{
-
-/** \brief How many dimensions the points span; differences under a micrometre, or float rounding at their distance, are none. */
-int
-spannedDimension (const std::vector<Eigen::Vector3f>& points)
-{
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero ();
-  for (const Eigen::Vector3f& point : points)
-    mean += point.cast<double> () / static_cast<double> (points.size ());
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero ();
-  float farthest = 0.0f;
-  for (const Eigen::Vector3f& point : points)
-  {
-    const Eigen::Vector3d difference = point.cast<double> () - mean;
-    covariance += difference * difference.transpose () / static_cast<double> (points.size ());
-    farthest = std::max (farthest, point.cwiseAbs ().maxCoeff ());
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance, Eigen::EigenvaluesOnly);
-  const double thickness = std::max (1e-6, 4.0 * static_cast<double> (farthest) * std::numeric_limits<float>::epsilon ());
-  return (static_cast<int> ((solver.eigenvalues ().array () > thickness * thickness).count ()));
-}
-
-} // namespace
 
 VisibleHull
 computeVisibleHull (const std::vector<Eigen::Vector3f>& points)

@@ -250,6 +250,21 @@ TEST (Normals, DoNotDependOnTheNumberOfThreads)
   }
 }
 
+// On images of less than its border PCL's class writes out of bounds.
+TEST (Normals, OfPclsIntegralImagesAreNoneWhereAllIsBorder)
+{
+  NormalParameters parameters;
+  parameters.method = NormalMethod::integral_image;
+  parameters.radius = 3;
+  const auto countOf = [&] (int columns, int rows) {
+    const NormalImage normals = normalsOf (shapes::hills (3, {columns, rows}, 0.0).cloud, parameters);
+    return (std::count (normals.valid.begin (), normals.valid.end (), 1));
+  };
+  for (const auto& [columns, rows] : {std::pair<int, int> (2, 2), {14, 40}, {40, 14}, {3, 40}, {40, 3}, {15, 7}})
+    EXPECT_EQ (countOf (columns, rows), 0) << columns << " x " << rows;
+  EXPECT_GT (countOf (15, 15), 0);
+}
+
 TEST (Normals, OfPclsIntegralImagesAgreeOnASmoothSurface)
 {
   const Frame frame = shapes::hills (3, {96, 96}, 0.0015);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paper eq. 13 and 14: the hull, its visible faces and the compactness.
+#include "../../src/core/convex_hull.h"
+
 #include "faces.h"
 #include <pcl_attention/core/visible_hull.h>
 
@@ -114,6 +116,25 @@ sampledDistance (const Vector3d& p, const Vector3d& a, const Vector3d& b, const 
 }
 
 } // namespace
+
+// Qhull would say so in many lines on stderr, which in a robot's log look like an error.
+TEST (ConvexHull, OfWhatDoesNotSpanTheDimensionIsEmptyWithoutAWord)
+{
+  std::vector<Eigen::Vector3f> column, diagonal, square;
+  for (int i = 0; i < 20; ++i)
+  {
+    column.emplace_back (120.0f, static_cast<float> (i), 0.0f);
+    diagonal.emplace_back (static_cast<float> (i), static_cast<float> (i), 0.0f);
+    square.emplace_back (static_cast<float> (i % 5), static_cast<float> (i / 5), 0.0f);
+  }
+  testing::internal::CaptureStderr ();
+  EXPECT_TRUE (computeConvexHull ({}, 2).vertices.empty ());
+  EXPECT_TRUE (computeConvexHull (column, 2).vertices.empty ());
+  EXPECT_TRUE (computeConvexHull (diagonal, 2).vertices.empty ());
+  EXPECT_TRUE (computeConvexHull (square, 3).vertices.empty ());
+  EXPECT_EQ (testing::internal::GetCapturedStderr (), "");
+  EXPECT_EQ (computeConvexHull (square, 2).vertices.size (), 4u);
+}
 
 TEST (VisibleHull, OfACubeSeenAtItsCornerHasThreeVisibleSides)
 {
