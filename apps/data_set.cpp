@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "data_set.h"
 
-#include "pcd_header.h"
+#include "evaluation/pcd_header.h"
 #include "png_image.h"
 
 #include <pcl/common/io.h>

@@ -3,6 +3,7 @@
 
 #include "number_text.h"
 #include "parameter_io.h"
+#include <pcl_attention/core/organized_cloud.h>
 
 #include <nlohmann/json.hpp>
 
@@ -17,8 +18,6 @@ namespace pcl_attention
 
 namespace
 {
-
-constexpr int largest_image = 1 << 14; // pixels a side
 
 [[noreturn]] void
 fail (const std::string& source, const std::string& message)
@@ -37,7 +36,7 @@ setValue (const std::string& source, const std::string& name, double value, Dept
   };
   const auto set_size = [&] (int& field) {
     double number = 0.0;
-    set (number, value >= 1.0 && value <= largest_image && value == std::floor (value),
+    set (number, value >= 1.0 && value <= static_cast<double> (longest_side) && value == std::floor (value),
          "a whole number from 1 to 16384");
     field = static_cast<int> (number);
   };
@@ -57,7 +56,7 @@ setValue (const std::string& source, const std::string& name, double value, Dept
     set (camera.depth_scale, value > 0.0 && value <= 1.0,
          "above 0 and at most 1, in metres a unit: 0.001 for millimetres");
   else
-    fail (source, "unknown key \"" + name + "\"; there are fx, fy, cx, cy, width, height and depth_scale");
+    fail (source, "unknown key \"" + escaped (name) + "\"; there are fx, fy, cx, cy, width, height and depth_scale");
 }
 
 DepthCamera
@@ -70,7 +69,7 @@ fromFile (const std::string& path)
   for (const auto& [key, value] : json.items ())
   {
     if (!value.is_number ())
-      fail (path, key + " is " + value.dump () + ", but must be a number");
+      fail (path, escaped (key) + " is " + shortText (value) + ", but must be a number");
     setValue (path, key, value.get<double> (), camera);
   }
   for (const char* key : {"fx", "fy", "cx", "cy"})
@@ -85,7 +84,7 @@ fromText (const std::string& text)
   static const std::array<const char*, 6> names{"fx", "fy", "cx", "cy", "width", "height"};
   const std::vector<double> numbers = numbersOf<double> (text);
   if (numbers.size () != 4 && numbers.size () != 6)
-    fail ("'" + text + "'", "neither a JSON file nor numbers as fx,fy,cx,cy or fx,fy,cx,cy,width,height");
+    fail ("'" + escaped (text) + "'", "neither a JSON file nor numbers as fx,fy,cx,cy or fx,fy,cx,cy,width,height");
   DepthCamera camera;
   for (std::size_t k = 0; k < numbers.size (); ++k)
     setValue ("'" + text + "'", names[k], numbers[k], camera);
@@ -99,9 +98,13 @@ readDepthCamera (const std::string& text_or_file)
 {
   const std::filesystem::path path (text_or_file);
   std::error_code ignored;
-  if (path.extension () == ".json" || std::filesystem::exists (path, ignored))
-    return (fromFile (text_or_file));
-  return (fromText (text_or_file));
+  const bool is_file = path.extension () == ".json" || std::filesystem::exists (path, ignored);
+  const DepthCamera camera = is_file ? fromFile (text_or_file) : fromText (text_or_file);
+  const std::string problem =
+      imageSizeProblem (static_cast<std::uint64_t> (camera.width), static_cast<std::uint64_t> (camera.height));
+  if (!problem.empty ())
+    fail (is_file ? text_or_file : "'" + text_or_file + "'", "width x height is " + problem);
+  return (camera);
 }
 
 } // namespace pcl_attention

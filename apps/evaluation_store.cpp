@@ -30,10 +30,9 @@ differenceOf (const Json& there, const Json& now)
     return ("");
   const Json::json_pointer path (patch[0].at ("path").get<std::string> ());
   const auto valueIn = [&] (const Json& document) {
-    const std::string text = document.contains (path) ? document.at (path).dump () : "absent";
-    return (text.size () <= 80 ? text : text.substr (0, 80) + "...");
+    return (document.contains (path) ? shortText (document.at (path)) : "absent");
   };
-  return (path.to_string () + " is " + valueIn (there) + " there and " + valueIn (now) + " now");
+  return (escaped (path.to_string ()) + " is " + valueIn (there) + " there and " + valueIn (now) + " now");
 }
 
 /** \brief Files that a killed run was writing. Nobody writes at one for as long as an hour. */

@@ -55,7 +55,7 @@ valueToText (const ParameterDescription& row, const Json& value)
   if (isToggle (row))
     return (value.is_boolean () ? row.choices[value.get<bool> () ? 1 : 0] : "");
   if (!row.choices.empty ())
-    return (value.is_string () ? value.get<std::string> () : "");
+    return (value.is_string () ? escaped (value.get<std::string> ()) : "");
   return (value.is_number () ? value.dump () : "");
 }
 
@@ -81,7 +81,7 @@ presetParameters (const std::string& name)
     return {name, AttentionParameters ()};
   if (name == "paper")
     return {name, AttentionParameters::paper ()};
-  throw std::runtime_error ("preset is '" + name + "', but must be one of default paper");
+  throw std::runtime_error ("preset is '" + escaped (name) + "', but must be one of default paper");
 }
 
 Json
@@ -106,7 +106,7 @@ parametersFromJson (const Json& json, const std::string& source, NamedParameters
     {
       const auto& names = presetNames ();
       if (!value.is_string () || std::find (names.begin (), names.end (), value.get<std::string> ()) == names.end ())
-        fail (source, "preset is " + value.dump () + ", but must be one of \"default\" \"paper\"");
+        fail (source, "preset is " + shortText (value) + ", but must be one of \"default\" \"paper\"");
       changed.preset = value.get<std::string> ();
       continue;
     }
@@ -115,10 +115,10 @@ parametersFromJson (const Json& json, const std::string& source, NamedParameters
       return (candidate.name == name);
     });
     if (row == table.end ())
-      fail (source, "unknown parameter \"" + key + "\"");
+      fail (source, "unknown parameter \"" + escaped (key) + "\"");
     const std::string text = valueToText (*row, value);
     if (text.empty ())
-      fail (source, key + " is " + value.dump () + ", but must be " + typeName (*row));
+      fail (source, key + " is " + shortText (value) + ", but must be " + typeName (*row));
     const std::string error = row->parse (text, changed.values);
     if (!error.empty ())
       fail (source, error);
@@ -132,9 +132,16 @@ readJsonFile (const std::string& path)
   std::ifstream stream (path);
   if (!stream)
     fail (path, std::string ("cannot be opened: ") + std::strerror (errno));
+  // Much of what is done with JSON, writing it for one, calls itself once a level.
+  constexpr int deepest = 100;
+  const auto check_depth = [&] (int depth, Json::parse_event_t, const Json&) {
+    if (depth > deepest)
+      fail (path, "nested more than " + std::to_string (deepest) + " deep");
+    return (true);
+  };
   try
   {
-    return (Json::parse (stream));
+    return (Json::parse (stream, check_depth));
   }
   catch (const Json::parse_error& error)
   {
@@ -144,6 +151,21 @@ readJsonFile (const std::string& path)
   {
     fail (path, "not valid JSON: " + std::string (error.what ()));
   }
+}
+
+std::string
+escaped (const std::string& text)
+{
+  const std::string quoted = Json (text).dump (-1, ' ', false, Json::error_handler_t::replace);
+  return (quoted.substr (1, quoted.size () - 2));
+}
+
+std::string
+shortText (const Json& value)
+{
+  constexpr std::size_t longest = 80;
+  const std::string text = value.dump ();
+  return (text.size () <= longest ? text : text.substr (0, longest) + "...");
 }
 
 NamedParameters

@@ -33,9 +33,16 @@ nlohmann::ordered_json parametersToJson (const NamedParameters& parameters);
  * wrong type, or out of range; the parameters are then unchanged */
 void parametersFromJson (const nlohmann::ordered_json& json, const std::string& source, NamedParameters& parameters);
 
-/** \brief Parse a JSON file.
+/** \brief Parse a JSON file, nested at most 100 deep.
  * \throws std::runtime_error that names the file */
 nlohmann::ordered_json readJsonFile (const std::string& path);
+
+/** \brief A text for a message of one line: with line feeds and other control characters as JSON has them between its
+ * quotes. */
+std::string escaped (const std::string& text);
+
+/** \brief A value for a message, cut off where it gets long. */
+std::string shortText (const nlohmann::ordered_json& value);
 
 /** \brief Read parameters from a JSON file, as in the "parameters" of a summary.json.
  * \param[in] preset what the file's parameters are put over; empty: the preset that the file names, else the default

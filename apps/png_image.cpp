@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "png_image.h"
 
+#include <pcl_attention/core/organized_cloud.h>
+
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
@@ -14,6 +16,7 @@
 #include <memory>
 #include <png.h>
 #include <stdexcept>
+#include <sys/stat.h>
 
 namespace pcl_attention
 {
@@ -41,16 +44,6 @@ encode (const std::uint8_t* values, int width, int height, int channels)
     throw std::runtime_error ("an image cannot be encoded as PNG");
   const unsigned char* bytes = result->GetPointer (0);
   return (std::string (bytes, bytes + result->GetNumberOfValues ()));
-}
-
-constexpr std::uint64_t most_pixels = std::uint64_t{1} << 26;
-
-void
-checkImageSize (std::uint64_t width, std::uint64_t height)
-{
-  if (width * height > most_pixels)
-    throw std::runtime_error ("an image of " + std::to_string (width) + " x " + std::to_string (height) +
-                              " pixels, more than the " + std::to_string (most_pixels) + " that are taken");
 }
 
 /** \brief libpng's reader of one file, which is freed with it. */
@@ -99,44 +92,40 @@ struct PngReader
     return (true);
   }
 
+  std::uint64_t
+  fileSize () const
+  {
+    struct stat status
+    {
+    };
+    return (fstat (fileno (file), &status) == 0 ? static_cast<std::uint64_t> (status.st_size) : 0);
+  }
+
   std::FILE* file{nullptr};
   png_structp png{nullptr};
   png_infop info{nullptr};
   char error[128]{};
 };
 
-} // namespace
-
-Image<Color>
-readColorPng (const std::string& path)
-{
-  png_image description{};
-  description.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file (&description, path.c_str ()) == 0)
-    throw std::runtime_error (std::string ("cannot be read as PNG: ") + description.message);
-  const std::unique_ptr<png_image, decltype (&png_image_free)> free_at_end (&description, png_image_free);
-  checkImageSize (description.width, description.height);
-  description.format = PNG_FORMAT_RGB;
-  Image<Color> image (static_cast<int> (description.width), static_cast<int> (description.height));
-  const png_color black{0, 0, 0};
-  if (png_image_finish_read (&description, &black, image.data.data (), 0, nullptr) == 0)
-    throw std::runtime_error (std::string ("damaged: ") + description.message);
-  return (image);
-}
-
-namespace
-{
-
 PngHeader
 headerOf (PngReader& reader)
 {
   if (!reader.readHeader ())
     throw std::runtime_error (std::string ("cannot be read as PNG: ") + reader.error);
+  const std::string problem =
+      imageSizeProblem (png_get_image_width (reader.png, reader.info), png_get_image_height (reader.png, reader.info));
+  if (!problem.empty ())
+    throw std::runtime_error ("the image is " + problem);
+  // Deflate, the compression of PNG files, makes at most 1032 bytes out of one.
+  constexpr std::uint64_t largest_compression = 1032;
+  const std::uint64_t bytes =
+      std::uint64_t{png_get_rowbytes (reader.png, reader.info)} * png_get_image_height (reader.png, reader.info);
+  if (bytes / largest_compression > reader.fileSize ())
+    throw std::runtime_error ("truncated: the header announces an image that the file cannot hold");
   const int color_type = png_get_color_type (reader.png, reader.info);
   const PngHeader header{png_get_image_width (reader.png, reader.info), png_get_image_height (reader.png, reader.info),
                          png_get_bit_depth (reader.png, reader.info), color_type == PNG_COLOR_TYPE_GRAY,
                          color_type == PNG_COLOR_TYPE_PALETTE};
-  checkImageSize (header.width, header.height);
   return (header);
 }
 
@@ -161,6 +150,23 @@ readPngHeader (const std::string& path)
 {
   PngReader reader (path);
   return (headerOf (reader));
+}
+
+Image<Color>
+readColorPng (const std::string& path)
+{
+  readPngHeader (path); // for its checks
+  png_image description{};
+  description.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file (&description, path.c_str ()) == 0)
+    throw std::runtime_error (std::string ("cannot be read as PNG: ") + description.message);
+  const std::unique_ptr<png_image, decltype (&png_image_free)> free_at_end (&description, png_image_free);
+  description.format = PNG_FORMAT_RGB;
+  Image<Color> image (static_cast<int> (description.width), static_cast<int> (description.height));
+  const png_color black{0, 0, 0};
+  if (png_image_finish_read (&description, &black, image.data.data (), 0, nullptr) == 0)
+    throw std::runtime_error (std::string ("damaged: ") + description.message);
+  return (image);
 }
 
 Image<std::uint16_t>

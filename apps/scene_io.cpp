@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_io.h"
 
+#include "evaluation/pcd_header.h"
 #include "number_text.h"
-#include "pcd_header.h"
 #include "ply_header.h"
 #include "png_image.h"
+#include <pcl_attention/core/organized_cloud.h>
 
 #include <pcl/common/point_tests.h>
 #include <pcl/conversions.h>
@@ -119,6 +120,9 @@ checkOrganized (std::uint64_t width, std::uint64_t height, const SceneOptions& o
 {
   if (width == 0 || height == 0)
     fail ("no points");
+  const std::string problem = imageSizeProblem (width, height);
+  if (height > 1 && !problem.empty ())
+    fail ("the cloud is " + problem);
   if (height > 1 || (options.camera.width > 0 && options.image_width == 0))
     return;
   if (options.image_width > 0)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/pcd_file.h"
 
+#include "evaluation/file_error.h"
+#include "evaluation/pcd_header.h"
+
 #include <pcl/io/pcd_io.h>
 
 #include <algorithm>
@@ -9,42 +12,26 @@
 
 namespace pcl_attention
 {
-namespace
-{
-
-/** \brief True if PCL finds a header with fields and points; without them it would go on and read out of bounds. */
-bool
-hasUsableHeader (const std::string& path)
-{
-  pcl::PCLPointCloud2 header;
-  Eigen::Vector4f origin;
-  Eigen::Quaternionf orientation;
-  int version = 0, data_type = 0;
-  unsigned int data_offset = 0;
-  const int status = pcl::PCDReader ().readHeader (path, header, origin, orientation, version, data_type, data_offset);
-  return (status >= 0 && !header.fields.empty () && header.point_step > 0 && header.width > 0 && header.height > 0 &&
-          data_offset > 0);
-}
-
-} // namespace
 
 void
 readPcdFile (const std::string& path, pcl::PCLPointCloud2& cloud, Eigen::Vector4f& sensor_origin,
              Eigen::Quaternionf& sensor_orientation)
 {
   if (!std::filesystem::is_regular_file (path))
-    throw std::runtime_error (path + ": no such file");
-  bool is_read = false;
+    fail (path, "no such file");
   try
   {
-    is_read = hasUsableHeader (path) && pcl::io::loadPCDFile (path, cloud, sensor_origin, sensor_orientation) >= 0;
+    if (checkPcdHeader (path).points == 0)
+      throw std::runtime_error ("no points");
+    // PCL throws on some broken files and returns an error on others.
+    const bool is_read = pcl::io::loadPCDFile (path, cloud, sensor_origin, sensor_orientation) >= 0;
+    if (!is_read || cloud.data.size () != static_cast<std::size_t> (cloud.width) * cloud.height * cloud.point_step)
+      throw std::runtime_error ("damaged: PCL cannot read its points");
   }
-  catch (const std::exception&)
+  catch (const std::exception& error)
   {
-    // PCL throws on some broken files and returns an error on others
+    fail (path, error.what ());
   }
-  if (!is_read || cloud.data.size () != static_cast<std::size_t> (cloud.width) * cloud.height * cloud.point_step)
-    throw std::runtime_error (path + ": not a readable PCD file");
 }
 
 const pcl::PCLPointField*

@@ -4,6 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
 
 namespace pcl_attention
 {
@@ -11,6 +14,19 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
+
+/** \brief A whole number that fits; Json itself would convert whatever number there is. */
+template <typename Integer>
+Integer
+integerFromJson (const Json& json)
+{
+  const auto value = json.is_number_integer () ? json.get<std::int64_t> () : -1;
+  const auto fitting = static_cast<Integer> (value);
+  if (!json.is_number_integer () || static_cast<std::int64_t> (fitting) != value ||
+      (value < 0 && std::is_unsigned<Integer>::value))
+    throw std::runtime_error ("not a whole number that fits");
+  return (fitting);
+}
 
 Json
 overlapToJson (const Overlap& overlap)
@@ -41,8 +57,8 @@ SegmentScore
 segmentFromJson (const Json& json)
 {
   SegmentScore segment;
-  segment.rank = json.at ("rank").get<int> ();
-  segment.region = json.at ("region").get<int> ();
+  segment.rank = integerFromJson<int> (json.at ("rank"));
+  segment.region = integerFromJson<int> (json.at ("region"));
   segment.overlap = overlapFromJson (json.at ("overlap"));
   const Json& confidence = json.at ("confidence");
   segment.confidence = confidence.is_null () ? std::numeric_limits<double>::quiet_NaN () : confidence.get<double> ();
@@ -68,12 +84,12 @@ RegionScore
 regionFromJson (const Json& json)
 {
   RegionScore score;
-  score.region.label = json.at ("label").get<std::uint32_t> ();
-  score.region.pixels = json.at ("pixels").get<std::size_t> ();
-  score.region.center_column = json.at ("center").at (0).get<int> ();
-  score.region.center_row = json.at ("center").at (1).get<int> ();
-  score.points = json.at ("points").get<int> ();
-  score.first_rank = json.at ("first_rank").get<int> ();
+  score.region.label = integerFromJson<std::uint32_t> (json.at ("label"));
+  score.region.pixels = integerFromJson<std::size_t> (json.at ("pixels"));
+  score.region.center_column = integerFromJson<int> (json.at ("center").at (0));
+  score.region.center_row = integerFromJson<int> (json.at ("center").at (1));
+  score.points = integerFromJson<int> (json.at ("points"));
+  score.first_rank = integerFromJson<int> (json.at ("first_rank"));
   score.first = overlapFromJson (json.at ("first"));
   score.best = overlapFromJson (json.at ("best"));
   score.all_f = json.at ("all_f").get<double> ();

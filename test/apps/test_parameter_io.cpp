@@ -83,6 +83,13 @@ TEST (ParameterJson, namesTheSourceAndTheKeyOfAnError)
   EXPECT_EQ (errorOf (Json{{"levels", 2}, {"coverage", false}, {"plane_model", "initial"}}), "");
 }
 
+TEST (ParameterJson, putsWhateverIsWrongIntoOneShortLine)
+{
+  EXPECT_EQ (errorOf (Json{{"two\nlines\x1b", 3}}), "file.json: unknown parameter \"two\\nlines\\u001b\"");
+  EXPECT_EQ (errorOf (Json{{"plane_model", "two\nlines"}}).find ("file.json: plane_model is 'two\\nlines', but must be"), 0u);
+  EXPECT_LT (errorOf (Json{{"levels", std::string (100000, '3')}}).size (), 150u);
+}
+
 TEST (ParameterFile, isReadOverThePreset)
 {
   const test::TemporaryFolder folder;
@@ -128,6 +135,25 @@ TEST (ParameterFile, thatIsMissingOrNoJsonIsAnErrorThatNamesIt)
     }
   }
   EXPECT_THROW (readParameters (folder / "missing.json"), std::runtime_error);
+}
+
+TEST (ParameterFile, thatIsNestedTooDeepIsAnError)
+{
+  const test::TemporaryFolder folder;
+  const auto nested = [&] (std::size_t depth) {
+    test::writeText (folder / "deep.json", "{\"levels\": " + std::string (depth, '[') + std::string (depth, ']') + "}");
+    try
+    {
+      readParameters (folder / "deep.json");
+    }
+    catch (const std::runtime_error& error)
+    {
+      return (std::string (error.what ()));
+    }
+    return (std::string ());
+  };
+  EXPECT_EQ (nested (3), (folder / "deep.json") + ": levels is [[[]]], but must be a number");
+  EXPECT_EQ (nested (1000000), (folder / "deep.json") + ": nested more than 100 deep");
 }
 
 } // namespace

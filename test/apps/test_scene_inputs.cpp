@@ -9,6 +9,7 @@
 #include <pcl/io/ply_io.h>
 #include <pcl/io/png_io.h>
 
+#include <boost/crc.hpp>
 #include <cmath>
 #include <random>
 
@@ -164,6 +165,39 @@ TEST_F (SceneInputs, SaysWhatIsWrongWithADepthImage)
              0u);
 }
 
+TEST_F (SceneInputs, AllocatesNothingForPixelsThatAnImageCannotHold)
+{
+  const std::string file = saveDepths ("scene.png", depthsOfWall (1000));
+  const std::string whole = test::readText (file);
+  // The header's size, and the checksum of its 17 bytes.
+  const auto announce = [&] (std::uint32_t columns, std::uint32_t rows) {
+    std::string text = whole;
+    const auto put = [&] (std::size_t at, std::uint32_t value) {
+      for (std::size_t byte = 0; byte < 4; ++byte)
+        text[at + byte] = static_cast<char> (value >> (24 - 8 * byte));
+    };
+    put (16, columns);
+    put (20, rows);
+    boost::crc_32_type checksum;
+    checksum.process_bytes (&text[12], 17);
+    put (29, checksum.checksum ());
+    test::writeText (file, text);
+    return (errorOfReading (file, withCamera ()));
+  };
+  EXPECT_EQ (announce (32, 24), "");
+  EXPECT_EQ (announce (8000, 8000), "truncated: the header announces an image that the file cannot hold");
+  EXPECT_EQ (announce (16385, 2), "the image is 16385 x 2, more than the 16384 a side and 67108864 in all that are taken");
+  EXPECT_EQ (announce (16384, 16384),
+             "the image is 16384 x 16384, more than the 16384 a side and 67108864 in all that are taken");
+  SceneOptions options = withCamera ();
+  options.color = folder_ / "color.png";
+  std::filesystem::rename (file, options.color);
+  saveDepths ("scene.png", depthsOfWall (1000));
+  EXPECT_EQ (errorOfReading (file, options),
+             "its colour image " + options.color +
+                 ": the image is 16384 x 16384, more than the 16384 a side and 67108864 in all that are taken");
+}
+
 TEST_F (SceneInputs, SurvivesDamagedImages)
 {
   std::vector<std::uint16_t> depths = depthsOfWall (1000);
@@ -262,6 +296,32 @@ TEST_F (SceneInputs, SaysWhatIsWrongWithAPlyFile)
   EXPECT_EQ (errorOf (begin + "1\nproperty half x\nend_header\n"), "damaged PLY header: unknown type 'half'");
   EXPECT_EQ (errorOf (begin + "1\nproperty float x\nproperty float y\nend_header\n12345678"),
              "no property z: a cloud with the properties x, y and z is needed");
+}
+
+TEST_F (SceneInputs, SparesPclWhatItCannotReadOfPly)
+{
+  const std::string file = folder_ / "scene.ply", begin = "ply\nformat ascii 1.0\n",
+                    points = "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n",
+                    end = "end_header\n0 0 1\n0 0 1\n";
+  const auto errorOf = [&] (const std::string& text) {
+    test::writeText (file, text);
+    return (errorOfReading (file, {}));
+  };
+  EXPECT_EQ (errorOf (begin + points + "property list uchar int indices\n" + end),
+             "its points have a list as a property, on which PCL's reader ends the program: leave it out");
+  EXPECT_EQ (errorOf (begin + points + "property uchar blue\n" + end), "damaged PLY header: blue without red before it");
+  EXPECT_EQ (errorOf (begin + " obj_info num_cols 2\n" + points + end), "damaged PLY header: ' obj_info num_cols 2'");
+  EXPECT_EQ (errorOf (begin + points + points + end), "damaged PLY header: points twice");
+  EXPECT_EQ (errorOf (begin + points + "proper float w\n" + end), "damaged PLY header: 'proper float w'");
+  const std::string announces = "truncated: the header announces an image of 2000000000 x 2 points, more than the file can hold";
+  EXPECT_EQ (errorOf (begin + "obj_info num_cols 2000000000\nobj_info num_rows 2\n" + points + end), announces);
+  EXPECT_EQ (errorOf (begin + "obj_info num_cols 5555555555\nobj_info num_rows 2\n" + points + end),
+             "damaged PLY header: 'obj_info num_cols 5555555555'");
+  EXPECT_EQ (errorOf (begin + "obj_info num_cols 1\nobj_info num_rows 1\n" + points + end),
+             "damaged PLY header: 2 points in an image of 1 x 1");
+  EXPECT_EQ (errorOf (begin + "obj_info num_cols 0\nobj_info num_rows 0\n" + points + end),
+             "damaged PLY header: 2 points in an image of 0 x 0");
+  EXPECT_EQ (errorOf (begin + "obj_info num_cols 8\n" + points + end), "damaged PLY header: 2 points in an image of 8 x 0");
 }
 
 TEST_F (SceneInputs, SurvivesDamagedPlyFiles)
@@ -394,6 +454,9 @@ TEST_F (SceneInputs, ReadsTheCameraFromTextOrJson)
   EXPECT_EQ (errorOf ("0,525,319.5,239.5"), "'0,525,319.5,239.5': fx is 0, but must be above 0, in pixels");
   EXPECT_EQ (errorOf ("525,525,319.5,239.5,640.5,480"),
              "'525,525,319.5,239.5,640.5,480': width is 640.5, but must be a whole number from 1 to 16384");
+  EXPECT_EQ (errorOf ("525,525,319.5,239.5,16384,16384"),
+             "'525,525,319.5,239.5,16384,16384': width x height is 16384 x 16384, more than the 16384 a side and 67108864 in all "
+             "that are taken");
   EXPECT_EQ (errorOf (folder_ / "none.json").find (folder_ / "none.json: cannot be opened"), 0u);
   test::writeText (file, R"({"fx": 525, "fy": 525, "cx": 319.5})");
   EXPECT_EQ (errorOf (file), file + ": no cy: the camera's fx, fy, cx and cy are needed");

@@ -170,6 +170,25 @@ TEST_F (SceneIo, allocatesNothingForPointsThatAFileCannotHold)
   }
 }
 
+// PCL's reader goes on after DATA as long as lines look like a header, and trusts what they say.
+TEST_F (SceneIo, refusesASecondHeaderInPlaceOfPoints)
+{
+  const std::string text = pcdText ("DATA binary", "DATA ascii");
+  const std::string header = text.substr (0, text.find ("DATA ascii\n") + 11);
+  for (const char* entry : {"WIDTH 100000\n", "COLUMNS", "\n# more\n \t POINTS 10000000000\n"})
+    EXPECT_EQ (errorOfText (header + entry + std::string (1000, '0')), "damaged: the points begin like a header") << entry;
+  EXPECT_EQ (errorOfText (header + std::string (1 << 17, '\n')), "damaged: the points begin like comments");
+  EXPECT_EQ (errorOfText (pcdText ("FIELDS x", "FIELDS \vx")), "damaged PCD header: a control character");
+  EXPECT_EQ (errorOfText (pcdText ("VERSION", "\v\nVERSION")), "damaged PCD header: a line of blanks");
+  EXPECT_EQ (errorOfText (pcdText ("WIDTH", " \nWIDTH")), "damaged PCD header: a line of blanks");
+}
+
+TEST_F (SceneIo, refusesAnImageThatIsTooLarge)
+{
+  pcl::io::savePCDFileBinaryCompressed (file_, pcl::PointCloud<pcl::PointXYZ> (2, 16385));
+  EXPECT_EQ (error (), "the cloud is 2 x 16385, more than the 16384 a side and 67108864 in all that are taken");
+}
+
 TEST_F (SceneIo, refusesCloudsWithoutAnything)
 {
   EXPECT_EQ (errorOfText (pcdText ("WIDTH 4\nHEIGHT 3\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 12",

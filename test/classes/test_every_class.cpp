@@ -107,6 +107,12 @@ TYPED_TEST (EveryClass, RefusesAWrongSize)
   this->expectError ("The input cloud has 1200 points, but is said to be 40 x 31");
 }
 
+TYPED_TEST (EveryClass, RefusesAnImageThatIsTooLarge)
+{
+  this->setCloud (filledCloud (16385, 2, 0.0f, 0.0f, 1.0f));
+  this->expectError ("The input cloud has 16385 x 2, more than the 16384 a side and 67108864 in all that are taken: give");
+}
+
 TYPED_TEST (EveryClass, RefusesIndicesOutsideTheCloud)
 {
   this->setCloud (sceneCloud ());

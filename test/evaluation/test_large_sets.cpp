@@ -224,10 +224,16 @@ TEST_F (LargeSets, otherParametersOrDataAreRefused)
 TEST_F (LargeSets, aDamagedResultIsNamed)
 {
   expectSuccess ("data -output_dir out");
-  test::writeText (folder_ / "out/results/proposed/scene2.json", "{\"scores\": []}");
-  EXPECT_EQ (
-      run ("data -output_dir out").errors,
-      "pcl_attention_evaluate: out/results/proposed/scene2.json: damaged: remove it, and it will be made again\n");
+  const std::string file = "out/results/proposed/scene2.json", whole = content (file);
+  std::string no_rank = whole, large_label = whole;
+  no_rank.replace (no_rank.find ("\"rank\":"), 7, "\"rank\":1e300,\"k\":");
+  large_label.replace (large_label.find ("\"label\":"), 8, "\"label\":4294967296,\"k\":");
+  for (const std::string& text : {std::string ("{\"scores\": []}"), no_rank, large_label})
+  {
+    test::writeText (folder_ / file, text);
+    EXPECT_EQ (run ("data -output_dir out").errors,
+               "pcl_attention_evaluate: " + file + ": damaged: remove it, and it will be made again\n");
+  }
   fs::remove (folder_ / "out/results/proposed/scene2.json");
   EXPECT_EQ (run ("data -output_dir out").errors, "5 of 6 scenes are there already\nThe report is out/report.html\n");
 }

@@ -215,7 +215,7 @@ TEST_F (Results, maskCutShort)
 TEST_F (Results, brokenLabels)
 {
   test::writeText (folder_ / "labels.pcd", "no cloud");
-  EXPECT_EQ (complaintAbout ("labels.pcd"), "not a readable PCD file");
+  EXPECT_EQ (complaintAbout ("labels.pcd"), "not a PCD file");
   pcl::io::savePCDFileBinary (folder_ / "labels.pcd", pcl::PointCloud<pcl::PointXYZ> (4, 3));
   EXPECT_EQ (complaintAbout ("labels.pcd"), "no 4-byte unsigned field \"label\"");
   pcl::io::savePCDFileBinary (folder_ / "labels.pcd", pcl::PointCloud<pcl::Label> (3, 4));

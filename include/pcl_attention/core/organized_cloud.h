@@ -5,10 +5,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl_attention
 {
+
+/** \brief The largest image that is taken: columns or rows, and pixels in all. Indices, sums and squares of pixels stay far
+  * from the largest int. */
+constexpr std::uint64_t longest_side = 1 << 14, most_pixels = 1 << 26;
+
+/** \brief Check the size of an image before anything is allocated for it.
+  * \return empty, or how large it is and may be: "20000 x 2, more than the 16384 a side and 67108864 in all that are taken" */
+PCL_ATTENTION_EXPORTS std::string
+imageSizeProblem (std::uint64_t columns, std::uint64_t rows);
 
 /** \brief What every stage works on: an organized cloud as flat arrays in the sensor's own frame (x right, y down, z forward
   * from the viewpoint, metres), so that "towards the viewer" is the same direction in every stage. */

@@ -32,9 +32,6 @@ struct HasRgb<PointT, std::void_t<decltype (PointT::r), decltype (PointT::g), de
 {
 };
 
-/** \brief The largest image that is taken: 64 megapixels, so that row-major indices and sums stay far from overflow. */
-constexpr std::size_t most_pixels = std::size_t{1} << 26;
-
 /** \brief Rows of a cloud that one thread gathers at a time. */
 constexpr int gathered_rows = 60;
 
@@ -75,9 +72,9 @@ checkCloud (const pcl::PointCloud<PointT>* cloud)
     return ("The input cloud is not organized (" + sizeText (*cloud) +
             "): give it as the camera delivers it, one point a pixel with NaN for holes. Filters keep it so with "
             "setKeepOrganized (true).");
-  if (cloud->size () > most_pixels)
-    return ("The input cloud has " + points + " points, more than the " + std::to_string (most_pixels) +
-            " this module takes.");
+  const std::string problem = imageSizeProblem (cloud->width, cloud->height);
+  if (!problem.empty ())
+    return ("The input cloud has " + problem + ": give a part of it, or one of fewer points.");
   if (!cloud->sensor_orientation_.coeffs ().allFinite () || !cloud->sensor_origin_.template head<3> ().allFinite ())
     return ("The input cloud's sensor_origin_ or sensor_orientation_ is not finite: set them to the viewpoint.");
   return ("");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pcd_header.h"
+#include "evaluation/pcd_header.h"
 
 #include <algorithm>
 #include <array>
@@ -49,6 +49,33 @@ parseNumber (const std::vector<std::string>& words, std::size_t index, std::uint
   return (value);
 }
 
+const std::array<std::string, 11> header_entries{"VERSION", "FIELDS",    "COLUMNS", "SIZE", "TYPE", "COUNT", "WIDTH",
+                                                 "HEIGHT",  "VIEWPOINT", "POINTS",  "DATA"};
+
+/** \brief Refuse points that PCL's reader would take for more of the header: it goes on after DATA as long as lines are
+ * empty, comments or begin like entries.
+ * \param[in] text of the file
+ * \param[in] begin of the points */
+void
+checkEndOfHeader (const std::string& text, std::size_t begin)
+{
+  while (begin < text.size ())
+  {
+    begin = text.find_first_not_of (" \t\n\v\f\r", begin);
+    if (begin == std::string::npos)
+      break;
+    if (std::any_of (header_entries.begin (), header_entries.end (), [&] (const std::string& entry) {
+          return (text.compare (begin, entry.size (), entry) == 0);
+        }))
+      fail ("damaged: the points begin like a header");
+    if (text[begin] != '#')
+      return;
+    begin = std::min (text.find ('\n', begin), text.size ());
+  }
+  if (text.size () == longest_header)
+    fail ("damaged: the points begin like comments");
+}
+
 /** \brief The header's lines up to DATA, in the order the format prescribes; PCL's reader needs this order as well, but
  * does not check it. */
 class HeaderParser
@@ -59,14 +86,19 @@ public:
   parse (const std::string& line)
   {
     const std::vector<std::string> words = splitWords (line);
+    if (words.empty () && !line.empty ())
+      fail ("damaged PCD header: a line of blanks"); // where PCL's reader ends it
     if (words.empty () || words[0][0] == '#')
       return (true);
-    static const std::array<std::string, 10> entries{"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
-                                                     "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
     const std::string name = words[0] == "COLUMNS" ? "FIELDS" : words[0];
-    const auto entry = std::find (entries.begin (), entries.end (), name);
-    if (entry == entries.end ())
+    const auto entry = std::find (header_entries.begin (), header_entries.end (), name);
+    if (entry == header_entries.end ())
       fail (has_entries_ ? "damaged PCD header: unknown entry" : "not a PCD file");
+    // PCL parts words at blanks, tabulators and carriage returns alone.
+    if (std::any_of (line.begin (), line.end (), [] (unsigned char letter) {
+          return (letter < ' ' && letter != '\t' && letter != '\r');
+        }))
+      fail ("damaged PCD header: a control character");
     if (has_entries_ && entry <= last_entry_)
       fail ("damaged PCD header: " + name + " is out of order");
     has_entries_ = true;
@@ -119,7 +151,7 @@ private:
   }
 
   bool has_entries_{false};
-  std::array<std::string, 10>::const_iterator last_entry_{};
+  std::array<std::string, 11>::const_iterator last_entry_{};
 };
 
 void
@@ -183,6 +215,7 @@ checkPcdHeader (const std::string& path)
     more = parser.parse (text.substr (begin, end - begin));
     begin = end + 1;
   }
+  checkEndOfHeader (text, begin);
 
   PcdHeader& header = parser.header;
   if (header.width == 0 && header.height == 0) // as in files before version 0.7
