@@ -2,8 +2,8 @@
 # The long checks: what .ci/run has no time for. One line a check at the end; fails if one of them failed.
 #
 # Usage: scripts/check_all.sh [CHECK...]
-# CHECK: release static clang library debug asan tsan builds coverage mutants packages documentation scripts; without one,
-# all of them in this order.
+# CHECK: release static clang library debug asan tsan builds fuzz soak coverage mutants packages reproducible
+# documentation scripts; without one, all of them in this order.
 set -euo pipefail
 
 # shellcheck source=scripts/common.sh
@@ -64,14 +64,17 @@ check() {
     library) build_library_alone ;;
     builds) compare_builds ;;
     mutants) scripts/check_mutants.py ;;
+    fuzz) scripts/fuzz.sh ;;
+    soak) configure release && cmake --build --preset release --target pcl_attention_soak && build/release/bin/pcl_attention_soak ;;
     packages) scripts/check_packages.sh ;;
+    reproducible) scripts/check_reproducible.sh ;;
     documentation) configure release && cmake --build --preset release --target documentation ;;
     coverage)
       build_and_test coverage &&
         gcovr --root . --filter src/ --filter include/ --exclude-throw-branches --print-summary --fail-under-line 95 \
           --html-details build/coverage/report.html build/coverage
       ;;
-    scripts) shellcheck --external-sources .ci/run scripts/*.sh test/viewer/*.sh ;;
+    scripts) shellcheck --external-sources .ci/run scripts/*.sh test/viewer/*.sh && scripts/check_dependencies.sh ;;
     *)
       echo "check_all.sh: no check '$1'" >&2
       return 2
@@ -81,7 +84,8 @@ check() {
 
 help_if_asked "$@"
 scripts/install_dependencies.sh build test checks packages documentation
-(($#)) || set -- release static clang library debug asan tsan builds coverage mutants packages documentation scripts
+(($#)) || set -- release static clang library debug asan tsan builds fuzz soak coverage mutants packages reproducible \
+  documentation scripts
 
 results=()
 failed=0
