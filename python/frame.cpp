@@ -268,10 +268,10 @@ Frame::Frame (const Points& points_of_frame, const py::kwargs& arguments) : poin
   if (points.ndim () != 3 || points.shape (2) != 3 || points.size () == 0)
     throw py::value_error ("xyz has the shape " + shapeText (points) +
                            ", but must have (height, width, 3): points as the camera delivers them, NaN for holes");
-  const std::string problem =
+  const std::string size_problem =
     imageSizeProblem (static_cast<std::uint64_t> (points.shape (1)), static_cast<std::uint64_t> (points.shape (0)));
-  if (!problem.empty ())
-    throw py::value_error ("xyz is " + problem);
+  if (!size_problem.empty ())
+    throw py::value_error ("xyz is " + size_problem);
   height = static_cast<int> (points.shape (0));
   width = static_cast<int> (points.shape (1));
   if (width == 1 || height == 1)
