@@ -36,7 +36,8 @@ def read_mutants(names):
     mutants, wrong = [], []
     for path in sorted(LISTS.glob("*.json")):
         for mutant in json.loads(path.read_text()):
-            found = (ROOT / mutant["file"]).read_text().count(mutant["old"])
+            file = ROOT / mutant["file"]
+            found = file.read_text().count(mutant["old"]) if file.is_file() else 0
             if found != 1:
                 wrong.append(f"{path.name}: {mutant['name']}: its text is found {found} times in {mutant['file']}")
             mutants.append({**mutant, "group": path.stem})
