@@ -90,13 +90,17 @@ nearestPlane (const PointArrays& points, std::size_t count, const FlatPlane* pla
   {
     LaneVector position[together];
     Lanes nearest[together];
-    const auto lanesOf = [&] (int k) {
+    const auto indexOf = [&] (int k) {
       const std::size_t index = begin + k * lane_count;
-      return (index >= count ? 0 : count - index >= lane_count ? lane_count : static_cast<int> (count - index));
+      return (index < count ? index : count);
+    };
+    const auto lanesOf = [&] (int k) {
+      const std::size_t left = count - indexOf (k);
+      return (left >= lane_count ? lane_count : static_cast<int> (left));
     };
     for (int k = 0; k < together; ++k)
     {
-      const std::size_t index = begin + k * lane_count;
+      const std::size_t index = indexOf (k);
       const int lanes = lanesOf (k);
       position[k] = {load (points.x + index, lanes), load (points.y + index, lanes), load (points.z + index, lanes)};
       nearest[k] = broadcast (3.402823466e38f);
@@ -106,7 +110,7 @@ nearestPlane (const PointArrays& points, std::size_t count, const FlatPlane* pla
         nearest[k] = minimum (absolute (plane->normal[0] * position[k].x + plane->normal[1] * position[k].y +
                                         plane->normal[2] * position[k].z + plane->offset), nearest[k]);
     for (int k = 0; k < together; ++k)
-      store (nearest[k], distances + begin + k * lane_count, lanesOf (k));
+      store (nearest[k], distances + indexOf (k), lanesOf (k));
   }
 }
 

@@ -4,8 +4,11 @@
 #include "shapes.h"
 #include <pcl_attention/core/pipeline.h>
 #include <pcl_attention/core/pyramid.h>
+#include <pcl_attention/core/visible_hull.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace pcl_attention;
 
@@ -126,9 +129,11 @@ TEST_F (InstructionSets, StagesBesideEachOtherGiveTheSameObjects)
   for (const auto kind : {SceneKind::clutter, SceneKind::occluded})
   {
     const OrganizedCloud cloud = shapes::rendered (kind, 5, 320, 240, 1.0).cloud;
-    const auto segmentsOf = [&cloud] (int threads) {
+    const auto segmentsOf = [&cloud] (int threads, bool all) {
       AttentionPipeline pipeline;
       pipeline.start (OrganizedCloud (cloud), Eigen::Isometry3f::Identity (), AttentionParameters (), threads);
+      if (all)
+        pipeline.expectAll ();
       std::vector<AttentionSegment> segments;
       for (AttentionSegment segment; pipeline.next (segment);)
         segments.push_back (segment);
@@ -136,12 +141,12 @@ TEST_F (InstructionSets, StagesBesideEachOtherGiveTheSameObjects)
       EXPECT_GT (pipeline.times ().total (), 0.0);
       return (segments);
     };
-    const std::vector<AttentionSegment> one = segmentsOf (1);
+    const std::vector<AttentionSegment> one = segmentsOf (1, false);
     EXPECT_GE (one.size (), 2u);
-    for (const int threads : {2, 3, 8})
+    for (const auto& [threads, all] : {std::pair<int, bool> (1, true), {2, false}, {2, true}, {3, true}, {8, false}, {8, true}})
     {
-      const std::vector<AttentionSegment> more = segmentsOf (threads);
-      ASSERT_EQ (more.size (), one.size ()) << threads << " threads";
+      const std::vector<AttentionSegment> more = segmentsOf (threads, all);
+      ASSERT_EQ (more.size (), one.size ()) << threads << " threads, all " << all;
       for (std::size_t k = 0; k < one.size (); ++k)
       {
         EXPECT_EQ (more[k].indices, one[k].indices);
@@ -150,6 +155,31 @@ TEST_F (InstructionSets, StagesBesideEachOtherGiveTheSameObjects)
         EXPECT_EQ (more[k].compactness, one[k].compactness);
         EXPECT_EQ (more[k].confidence, one[k].confidence);
       }
+    }
+  }
+}
+
+TEST_F (InstructionSets, DistancesToTheNearestPlaneAreThoseOfEveryNumberOfPoints)
+{
+  // A cube from 1 to 2 m away, half a metre wide, seen from its front and one side; points fill the lanes to any part.
+  std::vector<Eigen::Vector3f> corners;
+  for (const float x : {0.2f, 0.7f})
+    for (const float y : {-0.3f, 0.2f})
+      for (const float z : {1.0f, 1.5f})
+        corners.emplace_back (x, y, z);
+  const VisibleHull cube = computeVisibleHull (corners);
+  std::vector<Eigen::Vector3f> points;
+  double sum = 0.0;
+  for (int count = 1; count <= 150; ++count)
+  {
+    const auto share = static_cast<float> (count) / 151.0f;
+    points.emplace_back (0.2f + 0.5f * share, -0.3f + 0.5f * std::fmod (7.0f * share, 1.0f), 1.0f + 0.5f * std::fmod (3.0f * share, 1.0f));
+    // The visible planes are x = .2 and z = 1; y = .2 and -.3 face away or are seen from within their slab.
+    sum += std::min (points.back ().x () - 0.2f, points.back ().z () - 1.0f);
+    for (const std::string& name : instructionSets ())
+    {
+      ASSERT_TRUE (useInstructionSet (name));
+      EXPECT_NEAR (compactness (points, cube, {}, FaceDistance::plane), sum / count, 1e-6) << name << ", " << count << " points";
     }
   }
 }
