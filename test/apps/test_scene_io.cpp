@@ -66,6 +66,20 @@ protected:
     return (readScene (file_));
   }
 
+  /** \brief What is in a PCD file: text, binary or compressed for encoding 0, 1 or 2. */
+  template <typename PointT>
+  std::string
+  textOf (const pcl::PointCloud<PointT>& cloud, int encoding)
+  {
+    if (encoding == 0)
+      pcl::io::savePCDFileASCII (file_, cloud);
+    else if (encoding == 1)
+      pcl::io::savePCDFileBinary (file_, cloud);
+    else
+      pcl::io::savePCDFileBinaryCompressed (file_, cloud);
+    return (test::readText (file_));
+  }
+
   std::string
   error (const SceneOptions& options = {})
   {
@@ -295,13 +309,7 @@ TEST_F (SceneIo, isToldWhereverAFileIsCut)
   const auto cloud = coloredWall (5, 4);
   for (int encoding = 0; encoding < 3; ++encoding)
   {
-    if (encoding == 0)
-      pcl::io::savePCDFileASCII (file_, cloud);
-    else if (encoding == 1)
-      pcl::io::savePCDFileBinary (file_, cloud);
-    else
-      pcl::io::savePCDFileBinaryCompressed (file_, cloud);
-    const std::string whole = test::readText (file_);
+    const std::string whole = textOf (cloud, encoding);
     EXPECT_EQ (errorOfText (whole), "");
     // PCL's reader takes a last line of text that is not complete for a point.
     const std::size_t certain = encoding == 0 ? whole.rfind ('\n', whole.size () - 2) : whole.size ();
@@ -315,13 +323,7 @@ TEST_F (SceneIo, survivesDamagedFiles)
   const auto cloud = coloredWall ();
   for (int encoding = 0; encoding < 3; ++encoding)
   {
-    if (encoding == 0)
-      pcl::io::savePCDFileASCII (file_, cloud);
-    else if (encoding == 1)
-      pcl::io::savePCDFileBinary (file_, cloud);
-    else
-      pcl::io::savePCDFileBinaryCompressed (file_, cloud);
-    const std::string whole = test::readText (file_);
+    const std::string whole = textOf (cloud, encoding);
     std::mt19937 random (encoding);
     for (int trial = 0; trial < 300; ++trial)
     {
