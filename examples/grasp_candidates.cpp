@@ -34,7 +34,7 @@ main (int argc, char** argv)
   pcl::AttentionSegment object;
   while (segmentation.segmentNext (object))
   {
-    // Where the outline ends for a reason the box is that of the object; else it may be a part of one.
+    // Where most of the contour is in doubt, the box may be that of a part, or of more than the object.
     if (object.confidence < 0.5f)
       continue;
     // What does not stand on the table is not to be taken from above it.

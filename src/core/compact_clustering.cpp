@@ -809,17 +809,13 @@ CompactClustering::liesInMouth (const std::vector<std::uint8_t>& mouth, const Pi
 }
 
 float
-CompactClustering::outlineConfidence (const Piece& object) const
+CompactClustering::confidenceOf (const Piece& object) const
 {
-  int explained = 0, doubtful = 0;
+  // Where the depth jumps down an object ends to the pixel; behind an occluder it may go on.
+  float doubtful = static_cast<float> (object.perimeter);
   for (const auto& [label, border] : object.borders)
-  {
-    explained += border.first_in_front + (isSupport (label) ? border.connected : 0);
-    doubtful += border.second_in_front + (isSupport (label) ? 0 : border.connected);
-  }
-  for (const int label : object.patches)
-    doubtful += graph_.image_border[label];
-  return (explained + doubtful > 0 ? static_cast<float> (explained) / static_cast<float> (explained + doubtful) : 0.0f);
+    doubtful -= static_cast<float> (border.first_in_front) + 0.75f * static_cast<float> (border.second_in_front);
+  return (std::exp (-2.0f * std::max (0.0f, doubtful) / static_cast<float> (std::max (1, object.pixels))));
 }
 
 CompactClustering::Piece
@@ -887,7 +883,7 @@ CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
     }
   }
   segment.patches = object.patches;
-  segment.confidence = outlineConfidence (object);
+  segment.confidence = confidenceOf (object);
   for (const int label : object.patches)
   {
     const pcl::Indices& pixels = patches_.patches[label - 1].pixels;

@@ -215,9 +215,7 @@ buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const 
   PatchGraph graph;
   graph.neighbors.assign (count + 1, {});
   graph.perimeter.assign (count + 1, 0);
-  graph.image_border.assign (count + 1, 0);
   BorderScan scan (cloud, normals, labels, parameters, graph);
-  const int width = labels.width, height = labels.height;
   scan.scan (1, 0);
   scan.scan (0, 1);
   scan.scan (1, 1);
@@ -229,10 +227,6 @@ buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const 
   }
   for (auto& neighbors : graph.neighbors)
     std::sort (neighbors.begin (), neighbors.end ());
-  for (int row = 0; row < height; ++row)
-    for (int column = 0; column < width; ++column)
-      if (labels (column, row) && (row == 0 || row == height - 1 || column == 0 || column == width - 1))
-        ++graph.image_border[labels (column, row)];
   return (graph);
 }
 

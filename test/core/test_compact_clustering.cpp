@@ -128,6 +128,37 @@ stepOf (const AttentionSegment& segment, int label)
 
 } // namespace
 
+// A rectangle of m x n pixels has 2 m contour pairs along the rows, 2 n along the columns and 2 (m + n - 1) in either diagonal:
+// 6 (m + n) - 4.
+TEST (CompactClustering, IsConfidentWhereTheDepthJumps)
+{
+  Frame frame = shapes::emptyFrame (64, 48);
+  Image<int> labels (64, 48, 2);
+  for (int row = 0; row < 48; ++row)
+    for (int column = 0; column < 64; ++column)
+    {
+      const bool in_front = column >= 20 && column < 40 && row >= 14 && row < 34;
+      labels (column, row) = in_front ? 1 : 2;
+      frame.set (frame.index (column, row), {0.001 * (column - 31.5), 0.001 * (row - 23.5), in_front ? 0.6 : 0.8}, {0, 0, -1});
+    }
+  const Case scene (frame, labels);
+  const AttentionSegment square = scene.grow (30, 24, plain ()), rest = scene.grow (5, 5, plain ());
+  ASSERT_EQ (square.patches, std::vector<int>{1});
+  EXPECT_EQ (square.confidence, 1.0f);
+  ASSERT_EQ (rest.patches, std::vector<int>{2});
+  const double occluded = 12 * 20 - 4, at_image_border = 6 * (64 + 48) - 4, pixels = 64 * 48 - 20 * 20;
+  EXPECT_FLOAT_EQ (rest.confidence, static_cast<float> (std::exp (-2 * (0.25 * occluded + at_image_border) / pixels)));
+}
+
+TEST (CompactClustering, DoubtsAContourWithAConnectedNeighbor)
+{
+  ClusteringParameters parameters = plain ();
+  parameters.minimum_convexity = 1.0f; // more than a plane has
+  const AttentionSegment segment = squaresOnAPlane ().grow (15, 24, parameters);
+  ASSERT_EQ (segment.patches, std::vector<int>{1});
+  EXPECT_FLOAT_EQ (segment.confidence, static_cast<float> (std::exp (-2.0 * (12 * 12 - 4) / (12 * 12))));
+}
+
 TEST (CompactClustering, JoinsEverythingOnAPlane)
 {
   const AttentionSegment segment = squaresOnAPlane ().grow (15, 24, plain ());

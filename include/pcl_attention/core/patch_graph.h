@@ -48,8 +48,7 @@ struct PCL_ATTENTION_EXPORTS PatchGraph
 {
   std::map<std::pair<int, int>, PatchBorder> borders; /**< first label < second label */
   std::vector<std::vector<int>> neighbors;            /**< of label k at [k], ascending; [0] is empty */
-  std::vector<int> perimeter;                         /**< contour pairs of label k at [k], towards anything */
-  std::vector<int> image_border;                      /**< pixels of label k on the image border, at [k] */
+  std::vector<int> perimeter;                         /**< contour pairs of label k at [k], towards anything or out of the image */
 
   /** \brief The border of two labels, seen from the first one; empty when they do not touch. */
   PatchBorder
