@@ -66,7 +66,8 @@ main (int argc, char** argv)
                               ("what is in the scene: " + kindNames ()).c_str ()) (
       "objects", po::value<int> ()->default_value (0),
       "number of objects, 0 = as usual for the kind; fewer where no more find room") (
-      "seed", po::value<long long> ()->default_value (0), "of the scene and its noise") (
+      "seed", po::value<long long> ()->default_value (0), "of the scene, and of its noise without -noise_seed") (
+      "noise_seed", po::value<long long> (), "of the noise: other frames of a still camera") (
       "noise", po::value<double> ()->default_value (1.0), "of the sensor: 0 = exact, 1 = Kinect, up to 3") (
       "width", po::value<int> ()->default_value (640),
       "of the image, pixels") ("height", po::value<int> ()->default_value (480), "of the image, pixels") (
@@ -96,6 +97,10 @@ main (int argc, char** argv)
   const long long seed = command_line.get<long long> ("seed");
   if (seed < 0)
     command_line.fail ("-seed takes 0 or more, not " + std::to_string (seed));
+  const bool has_noise_seed = command_line.has ("noise_seed");
+  const long long noise_seed = has_noise_seed ? command_line.get<long long> ("noise_seed") : 0;
+  if (noise_seed < 0)
+    command_line.fail ("-noise_seed takes 0 or more, not " + std::to_string (noise_seed));
   const double noise = command_line.get<double> ("noise");
   if (!(noise >= 0.0 && noise <= pcl_attention::SensorNoise::max_level))
     command_line.fail ("-noise takes 0 (exact) to 3, not " + std::to_string (noise));
@@ -111,7 +116,7 @@ main (int argc, char** argv)
       scene.noise.level = noise;
       scene.world_frame = command_line.get<bool> ("world");
       const std::string file = fileName (output, number, count);
-      save (*pcl_attention::renderScene (scene, scene_seed), file);
+      save (*pcl_attention::renderScene (scene, has_noise_seed ? static_cast<std::uint64_t> (noise_seed) : scene_seed), file);
       std::cout << file << ": " << scene.objects.size () << " objects (" << number << "/" << count << ")" << std::endl;
     }
   }
