@@ -2,8 +2,8 @@
 # The long checks: what .ci/run has no time for. One line a check at the end; fails if one of them failed.
 #
 # Usage: scripts/check_all.sh [CHECK...]
-# CHECK: release static clang library debug asan tsan builds fuzz soak coverage mutants packages reproducible
-# documentation scripts; without one, all of them in this order.
+# CHECK: release static clang library debug asan tsan valgrind builds fuzz soak steadiness coverage mutants packages
+# reproducible documentation scripts; without one, all of them in this order.
 set -euo pipefail
 
 # shellcheck source=scripts/common.sh
@@ -51,6 +51,18 @@ compare_builds() {
   done
 }
 
+# The viewer's model, with leaks, and its window, where what the graphics driver leaves is not the viewer's.
+check_by_valgrind() {
+  local valgrind=(valgrind --quiet --error-exitcode=1 --suppressions=test/viewer/valgrind.supp) bin=build/release/bin
+  configure release &&
+    cmake --build --preset release --target pcl_attention_test_viewer pcl_attention_viewer pcl_attention_make_scene &&
+    "${valgrind[@]}" --leak-check=full --errors-for-leak-kinds=definite --show-leak-kinds=definite "$bin/pcl_attention_test_viewer" &&
+    mkdir -p build/valgrind &&
+    "$bin/pcl_attention_make_scene" build/valgrind/scene.pcd -width 160 -height 120 > /dev/null &&
+    xvfb-run --auto-servernum "${valgrind[@]}" "$bin/pcl_attention_viewer" build/valgrind/scene.pcd \
+      -screenshot build/valgrind/views.png
+}
+
 # Called in a condition, where set -e does not reach: hence the &&.
 check() {
   case "$1" in
@@ -62,10 +74,14 @@ check() {
     static) build_and_test_in static -D BUILD_SHARED_LIBS=OFF ;;
     clang) build_and_test_in clang -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ ;;
     library) build_library_alone ;;
+    valgrind) check_by_valgrind ;;
     builds) compare_builds ;;
     mutants) scripts/check_mutants.py ;;
     fuzz) scripts/fuzz.sh ;;
     soak) configure release && cmake --build --preset release --target pcl_attention_soak && build/release/bin/pcl_attention_soak ;;
+    steadiness)
+      configure release && cmake --build --preset release --target pcl_attention_steadiness && build/release/bin/pcl_attention_steadiness
+      ;;
     packages) scripts/check_packages.sh ;;
     reproducible) scripts/check_reproducible.sh ;;
     documentation) configure release && cmake --build --preset release --target documentation ;;
@@ -84,8 +100,8 @@ check() {
 
 help_if_asked "$@"
 scripts/install_dependencies.sh build test checks packages documentation
-(($#)) || set -- release static clang library debug asan tsan builds fuzz soak coverage mutants packages reproducible \
-  documentation scripts
+(($#)) || set -- release static clang library debug asan tsan valgrind builds fuzz soak steadiness coverage mutants \
+  packages reproducible documentation scripts
 
 results=()
 failed=0

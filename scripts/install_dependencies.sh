@@ -13,7 +13,7 @@ set -euo pipefail
 build=(build-essential cmake ninja-build ccache pkg-config libpcl-dev libboost-program-options-dev liblz4-dev
   libqhull-dev libpng-dev libx11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev pybind11-dev python3-dev)
 test=(xvfb xauth openbox wmctrl xdotool python3-numpy python3-pytest python3-matplotlib)
-checks=(clang libclang-rt-dev libomp-dev llvm clang-format clang-tidy gcovr shellcheck)
+checks=(clang libclang-rt-dev libomp-dev llvm clang-format clang-tidy gcovr shellcheck valgrind)
 packages=(debootstrap dpkg-dev)
 documentation=(doxygen)
 
