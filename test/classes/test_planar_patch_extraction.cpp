@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clouds.h"
+#include <pcl/features/integral_image_normal.h>
 #include <pcl/segmentation/planar_patch_extraction.h>
 
 namespace
@@ -47,6 +48,27 @@ TEST_F (PatchExtraction, LabelsWhatItLists)
   for (const pcl::Label& label : labels)
     labelled += label.label != 0;
   EXPECT_EQ (listed, labelled);
+}
+
+TEST_F (PatchExtraction, ANormalWithoutCurvatureIsNoSeed)
+{
+  pcl::IntegralImageNormalEstimation<PointT, pcl::Normal> estimation;
+  estimation.setInputCloud (sceneCloud ());
+  pcl::PointCloud<pcl::Normal> estimated;
+  estimation.compute (estimated);
+  const auto labelsWith = [&] (float missing) {
+    const pcl::PointCloud<pcl::Normal>::Ptr normals (new pcl::PointCloud<pcl::Normal> (estimated));
+    for (std::size_t index = 0; index < normals->size (); index += 3)
+      (*normals)[index].curvature = missing;
+    extraction.setInputNormals (normals);
+    extract ();
+    std::vector<std::uint32_t> labels;
+    for (const pcl::Label& label : extraction.getLabels ())
+      labels.push_back (label.label);
+    return (labels);
+  };
+  EXPECT_EQ (labelsWith (nan_value), labelsWith (1.0f / 3.0f)); // the largest curvature there is
+  EXPECT_NE (labelsWith (nan_value), labelsWith (0.0f));
 }
 
 TEST_F (PatchExtraction, DescribesPatchesInTheFrameOfTheCloud)
