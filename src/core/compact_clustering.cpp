@@ -3,12 +3,10 @@
 #include "object_hull.h"
 #include "point_at.h"
 
-#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/compact_clustering.h>
 #include <pcl_attention/core/supporting_plane.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <set>
 
@@ -59,6 +57,7 @@ struct CompactClustering::Piece
   int perimeter{0};            /**< contour pairs */
   float hollowness{0.0f};           /**< of what has grown together */
   std::vector<GrowthStep> steps;    /**< how it has grown */
+  bool is_cut{false};               /**< of the partition: it would have grown on into another of its pieces */
   std::vector<const Piece*> joined; /**< what was joined to it */
   ColorHistogram surroundings; /**< the not-object, worked out when it is first needed after a change */
   bool surroundings_known{false};
@@ -79,7 +78,6 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   const std::size_t count = patches.patches.size () + 1;
   samples_.resize (count);
   hulls_.resize (count);
-  pieces_.resize (count);
   patch_hollowness_.resize (count);
   piece_of_.resize (count);
   for (std::size_t label = 1; label < count; ++label)
@@ -411,7 +409,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
 }
 
 void
-CompactClustering::growOverBorders (Piece& piece)
+CompactClustering::growOverBorders (Piece& piece, bool of_partition)
 {
   // What is joined later lies apart, so that only what has grown together tells whether it is hollow.
   piece.hollowness = hollownessOf (piece.patches);
@@ -427,6 +425,8 @@ CompactClustering::growOverBorders (Piece& piece)
       float best_priority = -1.0f;
       for (const auto& [label, border] : piece.borders)
       {
+        if (piece.is_cut && piece_of_[label])
+          continue;
         const auto before = tried.find (label);
         if (before != tried.end () && before->second == border.pairs)
           continue;
@@ -444,8 +444,14 @@ CompactClustering::growOverBorders (Piece& piece)
       tried[best] = border.pairs;
       ObjectHull united;
       const GrowthStep step = tryPatch (best, border, piece, united);
+      const bool is_allowed = step.refused_by == GrowthConstraint::none;
+      if (is_allowed && of_partition && piece_of_[best])
+      {
+        piece.is_cut = true;
+        continue;
+      }
       piece.steps.push_back (step);
-      if (step.refused_by == GrowthConstraint::none)
+      if (is_allowed)
       {
         addPatch (best, piece, std::move (united));
         piece.hollowness = hollownessOf (piece.patches);
@@ -455,17 +461,16 @@ CompactClustering::growOverBorders (Piece& piece)
   }
 }
 
-const CompactClustering::Piece&
+CompactClustering::Piece
 CompactClustering::grownFrom (int label)
 {
-  if (!pieces_[label])
-  {
-    auto piece = std::make_unique<Piece> ();
-    addPatch (label, *piece);
-    growOverBorders (*piece);
-    pieces_[label] = std::move (piece);
-  }
-  return (*pieces_[label]);
+  const Piece* const known = piece_of_[label];
+  if (known && known->patches.front () == label && !known->is_cut)
+    return (*known);
+  Piece piece;
+  addPatch (label, piece);
+  growOverBorders (piece, false);
+  return (piece);
 }
 
 const CompactClustering::Piece&
@@ -476,32 +481,27 @@ CompactClustering::pieceAt (int label)
     const int seed = seeds_[next_seed_++];
     if (piece_of_[seed])
       continue;
-    const Piece& piece = grownFrom (seed);
-    for (const int member : piece.patches)
-      if (!piece_of_[member])
-        piece_of_[member] = &piece;
+    auto piece = std::make_unique<Piece> ();
+    addPatch (seed, *piece);
+    growOverBorders (*piece, true);
+    for (const int member : piece->patches)
+      piece_of_[member] = piece.get ();
+    partition_.push_back (std::move (piece));
   }
   return (*piece_of_[label]);
 }
 
 void
-CompactClustering::growAhead (int threads, const std::function<bool ()>& is_over)
+CompactClustering::growAhead (const std::function<bool ()>& is_over)
 {
   if (!parameters_.joinsPieces ())
     return; // then only what a fixation leads to is grown
-  // First all that the pieces share; then each fills a place of its own.
-  const int count = static_cast<int> (seeds_.size ());
-  forEachBand (count, 1, threads, [&] (int k, int) {
-    patchHull (seeds_[k]);
-    patchHollowness (seeds_[k]);
-  });
-  std::vector<std::atomic<bool>> is_covered (pieces_.size ());
-  forEachBand (count, 1, threads, [&] (int k, int) {
-    if (is_over () || is_covered[seeds_[k]])
+  for (const int seed : seeds_)
+  {
+    if (is_over ())
       return;
-    for (const int member : grownFrom (seeds_[k]).patches)
-      is_covered[member] = true;
-  });
+    pieceAt (seed);
+  }
 }
 
 PatchBorder
@@ -828,7 +828,7 @@ CompactClustering::wholeObject (const std::vector<int>& initial)
   {
     for (const int label : initial)
       addPatch (label, object);
-    growOverBorders (object);
+    growOverBorders (object, false);
   }
   while (parameters_.joinsPieces () && joinPiece (object))
   {

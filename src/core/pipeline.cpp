@@ -424,7 +424,7 @@ AttentionPipeline::prepareObjects ()
       patch_error = exceptionOf ([&] {
         clustering ();
         const StageTimer piece_timer (times_.segmentation);
-        clustering_->growAhead (threads_, [&] { return (points_are_there && !expects_all_); });
+        clustering_->growAhead ([&] { return (points_are_there && !expects_all_); });
       });
       point_error = exceptionOf ([this] { attentionPoints (); });
       points_are_there = true;

@@ -142,12 +142,10 @@ public:
   bool
   grow (const AttentionPoint& point, AttentionSegment& segment);
 
-  /** \brief Grow beforehand, several at a time, the pieces that objects are put together from. The results of \ref grow do not
-    * depend on it.
-    * \param[in] threads number of threads, 0: all processors, unless the caller is one of a team already
+  /** \brief Grow beforehand the pieces that objects are put together from. The results of \ref grow do not depend on it.
     * \param[in] is_over asked before each piece: whether to leave the others */
   void
-  growAhead (int threads, const std::function<bool ()>& is_over);
+  growAhead (const std::function<bool ()>& is_over);
 
   /** \brief Of the cloud, pixels; 0 where it has too few points to tell. */
   float
@@ -179,9 +177,10 @@ private:
   void
   addPatch (int label, Piece& piece, ObjectHull&& united);
 
-  /** \brief Try every neighbour, the longest connected border first, until none can be added. */
+  /** \brief Try every neighbour, the longest connected border first, until none can be added.
+    * \param[in] of_partition stop at what belongs to another piece of the partition */
   void
-  growOverBorders (Piece& piece);
+  growOverBorders (Piece& piece, bool of_partition);
 
   /** \brief Ask all constraints about a patch.
     * \param[in] border from the piece to the patch
@@ -217,10 +216,11 @@ private:
   patchHollowness (int label);
 
   /** \brief What grows from a patch on its own. */
-  const Piece&
+  Piece
   grownFrom (int label);
 
-  /** \brief The piece that a neighbour belongs to: of those that grow from the patches, the largest first, the first that has it. */
+  /** \brief The piece of the scene's partition that a patch belongs to. Each piece grows from the largest patch that is left, over
+    * what is left. */
   const Piece&
   pieceAt (int label);
 
@@ -291,8 +291,8 @@ private:
   const std::unique_ptr<HullGrid> hull_grid_;
   std::vector<std::vector<Sample>> samples_;                /**< of label k at [k] */
   std::vector<std::unique_ptr<ObjectHull>> hulls_;          /**< of label k at [k]; null until asked for */
-  std::vector<std::unique_ptr<Piece>> pieces_;              /**< from label k at [k]; null until asked for */
-  std::vector<const Piece*> piece_of_;                      /**< of label k at [k]; null until known */
+  std::vector<std::unique_ptr<Piece>> partition_;           /**< as far as it is known */
+  std::vector<const Piece*> piece_of_;                      /**< of label k at [k], in the partition; null until known */
   std::vector<int> seeds_;                                  /**< labels, the largest patch first */
   std::size_t next_seed_{0};                                /**< of seeds_: the first that may have no piece yet */
   std::vector<std::optional<float>> patch_hollowness_;      /**< of label k at [k], once asked for */
