@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,28 +19,43 @@ namespace
 std::vector<int>
 extremesFirst (const std::vector<Eigen::Vector3d>& points)
 {
-  std::vector<int> order;
-  std::vector<std::uint8_t> taken (points.size (), 0);
-  for (int x = -1; x <= 1; ++x)
-    for (int y = -1; y <= 1; ++y)
-      for (int z = -1; z <= 1; ++z)
+  // 13 directions, and the opposite of each: the least there is the farthest here.
+  constexpr int directions = 13;
+  std::array<int, 2 * directions> farthest;
+  auto forwards = farthest.begin (), backwards = farthest.end ();
+  for (int direction = 0; direction < directions; ++direction)
+  {
+    const double x = direction / 9 - 1, y = direction / 3 % 3 - 1, z = direction % 3 - 1;
+    double least = std::numeric_limits<double>::max (), most = -least;
+    std::size_t least_at = 0, most_at = 0;
+    for (std::size_t i = 0; i < points.size (); ++i)
+    {
+      const double reach = x * points[i].x () + y * points[i].y () + z * points[i].z ();
+      if (reach > most)
       {
-        const Eigen::Vector3d direction (x, y, z);
-        std::size_t farthest = 0;
-        double reach = -std::numeric_limits<double>::max ();
-        for (std::size_t i = 0; i < points.size (); ++i)
-          if (direction.dot (points[i]) > reach)
-          {
-            reach = direction.dot (points[i]);
-            farthest = i;
-          }
-        if (!taken[farthest])
-          order.push_back (static_cast<int> (farthest));
-        taken[farthest] = 1;
+        most = reach;
+        most_at = i;
       }
+      if (reach < least)
+      {
+        least = reach;
+        least_at = i;
+      }
+    }
+    *forwards++ = static_cast<int> (most_at);
+    *--backwards = static_cast<int> (least_at);
+  }
+  std::vector<int> order;
+  order.reserve (points.size ());
+  std::vector<std::uint8_t> taken (points.size (), 0);
+  const auto take = [&] (int point) {
+    if (!taken[static_cast<std::size_t> (point)])
+      order.push_back (point);
+    taken[static_cast<std::size_t> (point)] = 1;
+  };
+  std::for_each (farthest.begin (), farthest.end (), take);
   for (std::size_t i = 0; i < points.size (); ++i)
-    if (!taken[i])
-      order.push_back (static_cast<int> (i));
+    take (static_cast<int> (i));
   return (order);
 }
 
@@ -86,7 +102,7 @@ GrowingHull::addOnGrid (const std::vector<Eigen::Vector3d>& points)
   if (points.empty ())
     return;
   const auto first = static_cast<int> (points_.size ());
-  if (facets_.empty ())
+  if (facets_.size () == 0)
   {
     points_.insert (points_.end (), points.begin (), points.end ());
     if (!startTetrahedron ())
@@ -124,36 +140,72 @@ GrowingHull::startTetrahedron ()
     return (false);
   const bool below = height (points_[d]) < 0.0;
   const int second = below ? b : c, third = below ? c : b;
-  facets_ = {makeFacet (a, second, third), makeFacet (a, third, d), makeFacet (third, second, d), makeFacet (second, a, d)};
+  addFacet (a, second, third);
+  addFacet (a, third, d);
+  addFacet (third, second, d);
+  addFacet (second, a, d);
   return (true);
 }
 
-GrowingHull::Facet
-GrowingHull::makeFacet (int a, int b, int c) const
+void
+GrowingHull::Facets::push_back (const std::array<int, 3>& triangle, const Eigen::Vector3d& normal, double distance)
 {
-  Facet facet;
-  facet.corners = {a, b, c};
-  facet.normal = (points_[b] - points_[a]).cross (points_[c] - points_[a]);
-  facet.offset = -facet.normal.dot (points_[a]);
-  return (facet);
+  corners.push_back (triangle);
+  x.push_back (normal.x ());
+  y.push_back (normal.y ());
+  z.push_back (normal.z ());
+  offset.push_back (distance);
+}
+
+void
+GrowingHull::Facets::move (std::size_t from, std::size_t to)
+{
+  corners[to] = corners[from];
+  for (std::vector<double>* values : {&x, &y, &z, &offset})
+    (*values)[to] = (*values)[from];
+}
+
+void
+GrowingHull::Facets::resize (std::size_t count)
+{
+  corners.resize (count);
+  for (std::vector<double>* values : {&x, &y, &z, &offset})
+    values->resize (count);
+}
+
+double
+GrowingHull::Facets::largestDistance (const Eigen::Vector3d& point) const
+{
+  const auto all = [this] (const std::vector<double>& values) {
+    return (Eigen::Map<const Eigen::ArrayXd> (values.data (), static_cast<Eigen::Index> (size ())));
+  };
+  return ((all (x) * point.x () + all (y) * point.y () + all (z) * point.z () + all (offset)).maxCoeff ());
+}
+
+void
+GrowingHull::addFacet (int a, int b, int c)
+{
+  const Eigen::Vector3d normal = (points_[b] - points_[a]).cross (points_[c] - points_[a]);
+  facets_.push_back ({a, b, c}, normal, -normal.dot (points_[a]));
 }
 
 void
 GrowingHull::insert (int point)
 {
+  const Eigen::Vector3d position = points_[point];
   // A point on a facet's plane does not see it: what it adds beside it is seen by the facet's neighbours.
+  if (facets_.largestDistance (position) <= 0.0)
+    return;
   std::vector<std::uint64_t> edges;
   const auto edge = [] (int from, int to) { return (static_cast<std::uint64_t> (from) << 32 | static_cast<std::uint32_t> (to)); };
-  const Eigen::Vector3d position = points_[point];
   std::size_t kept = 0;
   for (std::size_t i = 0; i < facets_.size (); ++i)
   {
-    const Facet& facet = facets_[i];
-    if (facet.normal.dot (position) + facet.offset > 0.0)
+    if (facets_.distance (i, position) > 0.0)
       for (int corner = 0; corner < 3; ++corner)
-        edges.push_back (edge (facet.corners[corner], facet.corners[(corner + 1) % 3]));
+        edges.push_back (edge (facets_.corners[i][corner], facets_.corners[i][(corner + 1) % 3]));
     else if (kept++ != i)
-      facets_[kept - 1] = facets_[i];
+      facets_.move (i, kept - 1);
   }
   facets_.resize (kept);
   // An edge that is met in one direction only is the horizon.
@@ -161,7 +213,7 @@ GrowingHull::insert (int point)
   {
     const int from = static_cast<int> (seen >> 32), to = static_cast<int> (seen & 0xffffffffu);
     if (std::find (edges.begin (), edges.end (), edge (to, from)) == edges.end ())
-      facets_.push_back (makeFacet (from, to, point));
+      addFacet (from, to, point);
   }
 }
 
@@ -170,8 +222,8 @@ GrowingHull::dropInnerPoints ()
 {
   std::vector<int> place (points_.size (), -1);
   std::vector<Eigen::Vector3d> corners;
-  for (Facet& facet : facets_)
-    for (int& corner : facet.corners)
+  for (std::array<int, 3>& triangle : facets_.corners)
+    for (int& corner : triangle)
     {
       if (place[corner] < 0)
       {
@@ -198,18 +250,19 @@ GrowingHull::visible () const
 {
   VisibleHull hull;
   hull.vertices = vertices ();
-  if (facets_.empty ())
+  if (facets_.size () == 0)
   {
     hull.dimension = std::min<int> (2, static_cast<int> (points_.size ()) - 1);
     return (hull);
   }
   hull.dimension = 3;
-  for (const Facet& facet : facets_)
+  for (std::size_t facet = 0; facet < facets_.size (); ++facet)
   {
     std::array<Eigen::Vector3f, 3> corners;
     for (int corner = 0; corner < 3; ++corner)
-      corners[corner] = hull.vertices[facet.corners[corner]];
-    hull.addFace (corners, facet.normal.normalized ().cast<float> ());
+      corners[corner] = hull.vertices[facets_.corners[facet][corner]];
+    const Eigen::Vector3d normal (facets_.x[facet], facets_.y[facet], facets_.z[facet]);
+    hull.addFace (corners, normal.normalized ().cast<float> ());
   }
   return (hull);
 }

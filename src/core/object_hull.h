@@ -47,12 +47,31 @@ public:
   visible () const;
 
 private:
-  /** \brief A triangle, counter-clockwise seen from outside, and its plane: n . p + d > 0 outside. */
-  struct Facet
+  /** \brief Triangles, counter-clockwise seen from outside, and their planes: n . p + d > 0 outside. Arrays, as most points that are
+    * tried lie inside and are told by the planes alone. */
+  struct Facets
   {
-    std::array<int, 3> corners;
-    Eigen::Vector3d normal;
-    double offset;
+    std::vector<std::array<int, 3>> corners;
+    std::vector<double> x, y, z; /**< of n */
+    std::vector<double> offset;  /**< d */
+
+    std::size_t
+    size () const { return (corners.size ()); }
+    void
+    push_back (const std::array<int, 3>& triangle, const Eigen::Vector3d& normal, double distance);
+    /** \brief Overwrite one by another. */
+    void
+    move (std::size_t from, std::size_t to);
+    void
+    resize (std::size_t count);
+    double
+    distance (std::size_t facet, const Eigen::Vector3d& point) const
+    {
+      return (x[facet] * point.x () + y[facet] * point.y () + z[facet] * point.z () + offset[facet]);
+    }
+    /** \brief The largest distance of a point from any plane. */
+    double
+    largestDistance (const Eigen::Vector3d& point) const;
   };
 
   void
@@ -63,8 +82,8 @@ private:
   startTetrahedron ();
   void
   insert (int point);
-  Facet
-  makeFacet (int a, int b, int c) const;
+  void
+  addFacet (int a, int b, int c);
   /** \brief Forget points that are no corner. */
   void
   dropInnerPoints ();
@@ -73,7 +92,7 @@ private:
 
   HullGrid grid_;
   std::vector<Eigen::Vector3d> points_; /**< in steps from the grid's origin, whole numbers; the corners, or all while flat */
-  std::vector<Facet> facets_;           /**< empty while flat */
+  Facets facets_;                       /**< empty while flat */
 };
 
 /** \brief The hull of a growing object by either method. */

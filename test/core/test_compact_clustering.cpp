@@ -291,6 +291,13 @@ TEST (CompactClustering, ARoofIsCompact)
   EXPECT_LT (segment.compactness, 1e-5f);
 }
 
+TEST (CompactClustering, CompactnessHasToBeBelowTheThreshold)
+{
+  ClusteringParameters parameters = plain ();
+  parameters.compactness_threshold = 0.0f; // what everything on a plane has
+  EXPECT_EQ (squaresOnAPlane ().grow (15, 24, parameters).patches, std::vector<int>{1});
+}
+
 TEST (CompactClustering, CompactnessRefusesAPatchFarBehind)
 {
   // Both sides face the viewer, the second one is 10 cm farther away. The visible faces are the near side and the one
