@@ -172,7 +172,7 @@ organize (const SceneOptions& options, Scene& scene)
   std::vector<float> depths (image.size (), std::numeric_limits<float>::infinity ());
   Eigen::Matrix3f to_sensor = Eigen::Matrix3f::Identity ();
   if (cloud.sensor_orientation_.norm () > 1e-3f)
-    to_sensor = cloud.sensor_orientation_.normalized ().toRotationMatrix ().transpose ();
+    to_sensor = cloud.sensor_orientation_.normalized ().conjugate ().toRotationMatrix ();
   std::size_t points = 0, outside = 0, hidden = 0;
   for (const pcl::PointXYZRGB& point : cloud)
   {
@@ -268,7 +268,7 @@ View
 viewFrom (const pcl::PointCloud<pcl::PointXYZRGB>& cloud, const Eigen::Vector4f& origin,
           const Eigen::Quaternionf& orientation)
 {
-  const Eigen::Matrix3f to_sensor = orientation.toRotationMatrix ().transpose ();
+  const Eigen::Matrix3f to_sensor = orientation.conjugate ().toRotationMatrix ();
   const Eigen::Vector3f position = origin.head<3> ();
   std::vector<float> depths;
   Correlation columns, rows;
