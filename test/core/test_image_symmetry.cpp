@@ -159,6 +159,23 @@ TEST (ImageSaliency, findsDiscsOfEveryScale)
   }
 }
 
+TEST (ImageSaliency, weighsColorsByTheirLuma)
+{
+  // On black a blue disc is the darkest, a green one the brightest of the same value.
+  const Image<float> left = disc (320, 240, 60, 120, 20), middle = disc (320, 240, 160, 120, 20), right = disc (320, 240, 260, 120, 20);
+  const float background = left (0, 0);
+  OrganizedCloud cloud = cloudOf (Image<float> (320, 240, 0.0f));
+  for (std::size_t index = 0; index < cloud.size (); ++index)
+  {
+    cloud.red[index] = left[index] != background ? 200 : 0;
+    cloud.green[index] = middle[index] != background ? 200 : 0;
+    cloud.blue[index] = right[index] != background ? 200 : 0;
+  }
+  const Image<float> saliency = computeImageSaliency (cloud, {}, 1);
+  EXPECT_GT (saliency (160, 120), saliency (60, 120));
+  EXPECT_GT (saliency (60, 120), saliency (260, 120));
+}
+
 TEST (ImageSaliency, ofACloudWithoutColorsIsNone)
 {
   OrganizedCloud cloud;
