@@ -630,14 +630,6 @@ CompactClustering::isFloorOf (const Piece& object, const Piece& piece) const
 }
 
 bool
-CompactClustering::isEnclosedBy (const Piece& object, const Piece& piece) const
-{
-  const PatchBorder border = borderBetween (object, piece);
-  return (object.pixels > piece.pixels && border.pairs >= 0.8f * piece.perimeter &&
-          border.second_in_front <= 0.2f * border.pairs);
-}
-
-bool
 CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece)
 {
   if (object.pixels < certain_size || piece.pixels < certain_size || borderBetween (object, piece).pairs > 0)
@@ -706,8 +698,7 @@ CompactClustering::joinPiece (Piece& object)
   };
   const auto belong = [&] (const Piece& whole, const Piece& part) {
     return ((parameters_.absorb_size > 0 && isFragmentOf (whole, part)) ||
-            (parameters_.join_handles && isHandleOf (whole, part)) ||
-            (parameters_.join_enclosed && isEnclosedBy (whole, part)));
+            (parameters_.join_handles && isHandleOf (whole, part)));
   };
   for (const Piece* piece : neighbors)
     if (belong (object, *piece) || belong (*piece, object) ||

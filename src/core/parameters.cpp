@@ -202,8 +202,6 @@ makeTable ()
              "join the inside of a hollow and the wall before it; off with -parts")
     .toggle ("join_handles", &ClusteringParameters::join_handles, "",
              "join a thin piece that hangs on an object and on nothing else; off with -parts")
-    .toggle ("join_enclosed", &ClusteringParameters::join_enclosed, "",
-             "join a piece that an object surrounds; off with -parts")
     .toggle ("join_occluded", &ClusteringParameters::join_occluded, "",
              "join pieces of one object that an occluder separates; off with -parts");
 

@@ -56,21 +56,20 @@ struct ClusteringParameters
   int absorb_size{150};               /**< smaller pieces join the neighbour they are connected to most, pixels; 0: off */
   bool join_hollows{true};            /**< join the inside of a hollow and the wall before it; off with -parts */
   bool join_handles{true};            /**< join a thin piece that hangs on an object and on nothing else; off with -parts */
-  bool join_enclosed{true};           /**< join a piece that an object surrounds; off with -parts */
   bool join_occluded{true};           /**< join pieces of one object that an occluder separates; off with -parts */
 
   /** \brief Whether anything joins what has grown from different patches. */
   bool
   joinsPieces () const
   {
-    return (join_hollows || join_handles || join_enclosed || join_occluded || absorb_size > 0);
+    return (join_hollows || join_handles || join_occluded || absorb_size > 0);
   }
 
   /** \brief Switch off what joins visible pieces into whole objects (`-parts`). */
   void
   visiblePieces ()
   {
-    join_hollows = join_handles = join_enclosed = join_occluded = false;
+    join_hollows = join_handles = join_occluded = false;
     minimum_hollowness = 0.05f; // the flat floor of a pot is a piece of its own
     absorb_size = std::min (absorb_size, 80);
   }
@@ -273,8 +272,6 @@ private:
   /** \brief Whether a piece is another wall of a hollow whose inside was joined, which a handle parts from the first. */
   bool
   isOtherWallOf (const Piece& object, const Piece& piece);
-  bool
-  isEnclosedBy (const Piece& object, const Piece& piece) const;
   bool
   isBehindSameOccluder (const Piece& object, const Piece& piece);
 
