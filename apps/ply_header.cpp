@@ -104,6 +104,8 @@ checkPlyHeader (const std::string& path)
     }
     else if (word == "obj_info" && (type.compare (0, 8, "num_cols") == 0 || type.compare (0, 8, "num_rows") == 0))
     {
+      if (vertices > 0) // PCL's reader has made room for its points by then
+        fail ("damaged PLY header: '" + line + "' after the points");
       readNumber (type[4] == 'c' ? columns : rows);
       is_image = true;
     }

@@ -322,6 +322,8 @@ TEST_F (SceneInputs, SparesPclWhatItCannotReadOfPly)
   EXPECT_EQ (errorOf (begin + "obj_info num_cols 0\nobj_info num_rows 0\n" + points + end),
              "damaged PLY header: 2 points in an image of 0 x 0");
   EXPECT_EQ (errorOf (begin + "obj_info num_cols 8\n" + points + end), "damaged PLY header: 2 points in an image of 8 x 0");
+  EXPECT_EQ (errorOf (begin + "obj_info num_rows 2\n" + points + "obj_info num_cols 1\n" + end),
+             "damaged PLY header: 'obj_info num_cols 1' after the points");
   const std::string grid = "obj_info num_cols 3\nobj_info num_rows 2\n" + points +
                            "element range_grid 6\nproperty list uchar int vertex_indices\n" + end;
   EXPECT_EQ (errorOf (begin + grid + "1 0\n0\n1 1\n0\n0\n0\n"), "");
