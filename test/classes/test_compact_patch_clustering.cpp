@@ -145,7 +145,7 @@ TEST_F (Clustering, RefusesPointsOutsideTheImage)
     clustering.clearAttentionPoints ();
     pcl::AttentionSegment one;
     one.indices = {1, 2, 3};
-    const std::string errors = errorsOf ([&] { EXPECT_FALSE (clustering.segment (pointAt (column, row), one)); });
+    const std::string errors = errorsOf ([&, point = pointAt (column, row)] { EXPECT_FALSE (clustering.segment (point, one)); });
     EXPECT_TRUE (contains (errors, message));
     EXPECT_TRUE (one.indices.empty ());
   }
