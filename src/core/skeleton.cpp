@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <queue>
 
 namespace pcl_attention
@@ -82,50 +83,57 @@ neighborsStayConnected (const std::array<bool, 8>& n)
   return (number == 1);
 }
 
-/** \brief Pixels of a path between the two pixels that lie farthest apart along the skeleton. */
+/** \brief Pixels of a path between the two pixels that lie farthest apart along a connected line. */
 std::vector<Pixel>
-longestPath (const Image<std::uint8_t>& skeleton, const std::vector<Pixel>& pixels)
+longestPath (const std::vector<Pixel>& pixels)
 {
-  Image<int> steps (skeleton.width, skeleton.height, -1);
+  // Only as large as the line: there may be hundreds in an image.
+  Pixel first = pixels.front (), beyond = first;
+  for (const Pixel& pixel : pixels)
+  {
+    first = {std::min (first.column, pixel.column), std::min (first.row, pixel.row)};
+    beyond = {std::max (beyond.column, pixel.column + 1), std::max (beyond.row, pixel.row + 1)};
+  }
+  constexpr int free = -1, no_line = -2;
+  Image<int> steps (beyond.column - first.column, beyond.row - first.row, no_line);
+  const auto stepsAt = [&] (const Pixel& pixel) -> int& { return (steps (pixel.column - first.column, pixel.row - first.row)); };
+  const auto forNeighbors = [&] (const Pixel& pixel, const auto& visit) {
+    for (const auto& offset : clockwise)
+    {
+      const Pixel next{pixel.column + offset[0], pixel.row + offset[1]};
+      if (steps.contains (next.column - first.column, next.row - first.row))
+        visit (next, stepsAt (next));
+    }
+  };
   const auto search = [&] (const Pixel& start) {
     for (const Pixel& pixel : pixels)
-      steps (pixel.column, pixel.row) = -1;
+      stepsAt (pixel) = free;
     std::queue<Pixel> queue;
     queue.push (start);
-    steps (start.column, start.row) = 0;
+    stepsAt (start) = 0;
     Pixel last = start;
     while (!queue.empty ())
     {
       last = queue.front ();
       queue.pop ();
-      for (const auto& offset : clockwise)
-      {
-        const Pixel next{last.column + offset[0], last.row + offset[1]};
-        if (skeleton.contains (next.column, next.row) && skeleton (next.column, next.row) &&
-            steps (next.column, next.row) < 0)
-        {
-          steps (next.column, next.row) = steps (last.column, last.row) + 1;
-          queue.push (next);
-        }
-      }
+      forNeighbors (last, [&] (const Pixel& next, int& next_steps) {
+        if (next_steps != free)
+          return;
+        next_steps = stepsAt (last) + 1;
+        queue.push (next);
+      });
     }
     return (last);
   };
-  const Pixel end = search (search (pixels.front ()));
-  std::vector<Pixel> path{end};
-  while (steps (path.back ().column, path.back ().row) > 0)
+  std::vector<Pixel> path{search (search (pixels.front ()))};
+  for (int left = stepsAt (path.back ()); left > 0; --left)
   {
-    const Pixel current = path.back ();
-    for (const auto& offset : clockwise)
-    {
-      const Pixel next{current.column + offset[0], current.row + offset[1]};
-      if (skeleton.contains (next.column, next.row) && skeleton (next.column, next.row) &&
-          steps (next.column, next.row) == steps (current.column, current.row) - 1)
-      {
-        path.push_back (next);
-        break;
-      }
-    }
+    std::optional<Pixel> before;
+    forNeighbors (path.back (), [&] (const Pixel& next, int next_steps) {
+      if (!before && next_steps == left - 1)
+        before = next;
+    });
+    path.push_back (*before);
   }
   return (path);
 }
@@ -286,7 +294,7 @@ findMidpoint (const Image<std::uint8_t>& skeleton, const std::vector<Pixel>& pix
     return (*std::min_element (pixels.begin (), pixels.end (), [] (const Pixel& a, const Pixel& b) {
       return (a.row != b.row ? a.row < b.row : a.column < b.column);
     }));
-  const std::vector<Pixel> path = longestPath (skeleton, pixels);
+  const std::vector<Pixel> path = longestPath (pixels);
   return (path[path.size () / 2]);
 }
 
