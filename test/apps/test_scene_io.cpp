@@ -160,6 +160,7 @@ TEST_F (SceneIo, saysWhatIsWrongWithAFile)
              "the field z is not one 4-byte float (TYPE F, SIZE 4): convert it");
   EXPECT_EQ (errorOfText (pcdText ("POINTS 12", "POINTS 13")),
              "damaged PCD header: WIDTH 4 x HEIGHT 3 is not POINTS 13");
+  EXPECT_EQ (errorOfText (pcdText ("WIDTH 4", "WIDTH 5")), "damaged PCD header: WIDTH 5 x HEIGHT 3 is not POINTS 12");
   EXPECT_EQ (errorOfText (pcdText ("SIZE 4 4 4", "SIZE 4 4")), "damaged PCD header: SIZE and FIELDS differ in length");
   EXPECT_EQ (errorOfText (pcdText ("SIZE 4 4 4", "SIZE 4 4 -4")), "damaged PCD header: SIZE is '-4'");
   EXPECT_EQ (errorOfText (pcdText ("WIDTH 4\n", "")), "damaged PCD header: WIDTH 0 x HEIGHT 3 is not POINTS 12");
@@ -316,6 +317,13 @@ TEST_F (SceneIo, isToldWhereverAFileIsCut)
     for (std::size_t length = 0; length < certain; ++length)
       EXPECT_NE (errorOfText (whole.substr (0, length)), "") << "encoding " << encoding << " cut to " << length;
   }
+}
+
+TEST_F (SceneIo, isToldOfASingleByteThatIsMissing)
+{
+  std::string text = textOf (coloredWall (5, 4), 1);
+  text.pop_back ();
+  EXPECT_EQ (errorOfText (text), "truncated: the header announces 20 points, the file holds 19");
 }
 
 TEST_F (SceneIo, survivesDamagedFiles)

@@ -107,6 +107,50 @@ TEST_F (Segmentation, LetsSmallSegmentsWaitForLargeOnes)
   }
 }
 
+TEST_F (Segmentation, GivesSegmentsOfTheSmallestSizeAndNoneBelow)
+{
+  std::size_t smallest = std::numeric_limits<std::size_t>::max ();
+  const auto segmentsOfAtLeast = [&] (std::size_t size) {
+    pcl_attention::AttentionParameters parameters = pointByPoint ();
+    parameters.segmentation.minimum_segment_size = static_cast<int> (size);
+    segmentation.setParameters (parameters);
+    const std::vector<pcl::AttentionSegment> segments = segment ();
+    smallest = std::numeric_limits<std::size_t>::max ();
+    for (const pcl::AttentionSegment& object : segments)
+      smallest = std::min (smallest, object.indices.size ());
+    return (segments.size ());
+  };
+  const std::size_t all = segmentsOfAtLeast (1), size = smallest;
+  EXPECT_EQ (segmentsOfAtLeast (size), all);
+  EXPECT_LT (segmentsOfAtLeast (size + 1), all);
+  EXPECT_GT (smallest, size);
+}
+
+TEST_F (Segmentation, LooksAtTheLargestPatchesFirstWhereNothingIsSalient)
+{
+  pcl_attention::AttentionParameters parameters;
+  parameters.saliency.saliency_floor = 4.0f; // the most there can be
+  parameters.segmentation.prefer_supported = false;
+  parameters.segmentation.full_size = 0.0f;
+  parameters.segmentation.fixation_margin = 0;
+  segmentation.setParameters (parameters);
+  const std::vector<pcl::AttentionSegment> segments = segment ();
+  ASSERT_GE (segments.size (), 3u);
+  const pcl_attention::PlanarPatches& patches = segmentation.getPipeline ()->patches ();
+  std::size_t before = std::numeric_limits<std::size_t>::max (), different = 0;
+  for (const pcl::AttentionSegment& object : segments)
+  {
+    ASSERT_EQ (object.attention_point.kind, pcl_attention::AttentionPointKind::coverage);
+    const int label = patches.labels (object.attention_point.column, object.attention_point.row);
+    ASSERT_GT (label, 0);
+    const std::size_t size = patches.patches[label - 1].pixels.size ();
+    EXPECT_LE (size, before);
+    different += size < before;
+    before = size;
+  }
+  EXPECT_GE (different, 3u);
+}
+
 TEST_F (Segmentation, GivesAllObjectsAlsoAfterSome)
 {
   const std::vector<pcl::AttentionSegment> all = segment ();

@@ -291,6 +291,55 @@ TEST (CompactClustering, ARoofIsCompact)
   EXPECT_LT (segment.compactness, 1e-5f);
 }
 
+TEST (CompactClustering, TheNotObjectFollowsTheGrownObject)
+{
+  // 1 and the large 2 are red, 3 is more red than grey, 4 grey. Beside {1, 2} all is grey; beside 1 alone half would be red, too
+  // like 3.
+  Image<int> labels (64, 48, 4);
+  for (int row = 0; row < 48; ++row)
+    for (int column = 0; column < 42; ++column)
+      if (column < 30)
+        labels (column, row) = column >= 5 && column < 17 && row >= 18 && row < 30 ? 1 : 2;
+      else if (row >= 10 && row < 38)
+        labels (column, row) = 3;
+  Case scene (shapes::look (shapes::plane ({0, 0, 0.8}, {0, 0, -1})), labels);
+  scene.paint ({grey, red, red, red, grey});
+  for (std::size_t index = 0; index < labels.size (); ++index)
+    if (labels[index] == 3 && index % 5 < 2)
+    {
+      scene.frame.cloud.red[index] = grey.red;
+      scene.frame.cloud.green[index] = grey.green;
+      scene.frame.cloud.blue[index] = grey.blue;
+    }
+  ClusteringParameters parameters = plain ();
+  parameters.color_constraint = ColorConstraint::nearer_object;
+  EXPECT_EQ (sorted (scene.grow (10, 24, parameters).patches), (std::vector<int>{1, 2, 3}));
+}
+
+TEST (CompactClustering, AHandleIsThin)
+{
+  // A quarter of the pixels, which hang on the object alone; of a square of n pixels a side the width is taken for a third.
+  const auto patchesWith = [] (double pixel_width) {
+    Frame frame = shapes::emptyFrame (64, 48);
+    Image<int> labels (64, 48, 0);
+    for (int row = 4; row < 40; ++row)
+      for (int column = 4; column < 56; ++column)
+      {
+        const int label = column < 40 ? 1 : row < 20 ? 2 : 0;
+        if (label == 0)
+          continue;
+        labels (column, row) = label;
+        frame.set (frame.index (column, row), {pixel_width * (column - 31.5), pixel_width * (row - 23.5), 0.8}, {0, 0, -1});
+      }
+    ClusteringParameters parameters = plain ();
+    parameters.minimum_convexity = 1.0f; // nothing grows
+    parameters.join_handles = true;
+    return (sorted (Case (frame, labels).grow (20, 20, parameters).patches));
+  };
+  EXPECT_EQ (patchesWith (0.003), (std::vector<int>{1, 2}));
+  EXPECT_EQ (patchesWith (0.005), (std::vector<int>{1}));
+}
+
 TEST (CompactClustering, CompactnessHasToBeBelowTheThreshold)
 {
   ClusteringParameters parameters = plain ();

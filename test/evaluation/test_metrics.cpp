@@ -206,6 +206,18 @@ TEST (Summarize, oneScene)
   EXPECT_DOUBLE_EQ (summary.confidence_correlation, 1);
 }
 
+TEST (Summarize, countsTheFifthAndTheTenthPoint)
+{
+  const GroundTruth truth = test::truthOf (3, {20, 30, 1});
+  std::vector<PredictedSegment> segments (10, segmentAt (2, 0, {}));
+  segments[4] = segmentAt (0, 0, {0});
+  segments[9] = segmentAt (1, 0, {1});
+  const Summary summary =
+      summarize ("", GroundTruthKind::objects, {scoreScene (truth, predictionOf (3, 1, std::move (segments)))});
+  EXPECT_DOUBLE_EQ (summary.hits_within_5, 1. / 2);
+  EXPECT_DOUBLE_EQ (summary.hits_within_10, 1);
+}
+
 TEST (Summarize, hitsWithinTheFirstPoints)
 {
   // three objects of one pixel, attended by the points of rank 2, 6 and 11; all others fall on the support
