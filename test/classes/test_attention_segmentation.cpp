@@ -349,6 +349,46 @@ TEST_F (Segmentation, UsesThePointsItIsGiven)
   expectSame (segment (), own);
 }
 
+TEST_F (Segmentation, MovesAFixationAtTheContourInside)
+{
+  const pcl::AttentionSegment object = segment ().front ();
+  const auto isMember = [&] (int column, int row) {
+    return (std::binary_search (object.indices.begin (), object.indices.end (), row * 320 + column));
+  };
+  // Where the first row of the object begins.
+  const int column = object.indices.front () % 320, row = object.indices.front () / 320;
+  ASSERT_GE (row, 1);
+  ASSERT_FALSE (isMember (column, row - 1));
+  segmentation.setAttentionPoints ({pointAt (column, row)});
+  pcl_attention::AttentionParameters parameters;
+  parameters.segmentation.coverage = false;
+  parameters.segmentation.fixation_margin = 2;
+  segmentation.setParameters (parameters);
+  const std::vector<pcl::AttentionSegment> segments = segment ();
+  ASSERT_EQ (segments.size (), 1u);
+  ASSERT_EQ (segments[0].indices, object.indices);
+  const pcl::AttentionPoint& moved = segments[0].attention_point;
+  for (int r = moved.row - 1; r <= moved.row + 1; ++r)
+    for (int c = moved.column - 1; c <= moved.column + 1; ++c)
+      EXPECT_TRUE (isMember (c, r)) << c << ", " << r;
+}
+
+TEST_F (Segmentation, GivesNoObjectTwiceThatIsReachedFromBesideIt)
+{
+  const pcl::AttentionSegment object = segment ().front ();
+  // Beside the contour there is no object, but one within reach.
+  const int column = object.indices.front () % 320, row = object.indices.front () / 320 - 2;
+  segmentation.setAttentionPoints ({object.attention_point, pointAt (column, row)});
+  pcl_attention::AttentionParameters parameters = pointByPoint ();
+  segmentation.setParameters (parameters);
+  const std::vector<pcl::AttentionSegment> both = segment ();
+  ASSERT_EQ (both.size (), 2u);
+  ASSERT_GT (overlap (both[0].indices, both[1].indices), 0.9);
+  parameters.segmentation.inhibition_of_return = true;
+  segmentation.setParameters (parameters);
+  EXPECT_EQ (segment ().size (), 1u);
+}
+
 TEST_F (Segmentation, KeepsTheOrderOfThePointsItIsGiven)
 {
   // Also with prefer_supported, which would look at what stands on the table before the table itself.
