@@ -153,7 +153,7 @@ main (int argc, char** argv)
     ("seeds", po::value<int> ()->default_value (5), "seeds of the noise for each scene, 2 or more")
     ("noise", po::value<double> ()->default_value (1.0), "level of the noise: 0 = exact, 1 = Kinect, up to 3")
     ("verbose", "name the objects that change")
-    ("least", po::value<double> ()->default_value (0.98), "share that has to keep its segment, 0 to 1");
+    ("least", po::value<double> ()->default_value (0.9), "share that has to keep its segment, 0 to 1");
   // clang-format on
   addThreadsFlag (command_line);
   command_line.parse (argc, argv);
