@@ -5,6 +5,9 @@ target_compile_features(pcl_attention_compiler_settings INTERFACE cxx_std_17)
 target_compile_options(pcl_attention_compiler_settings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
   $<$<BOOL:${PCL_ATTENTION_WARNINGS_AS_ERRORS}>:-Werror>)
+# PCL's macros of point types have anonymous structures, GoogleTest's of typed tests no last argument.
+target_compile_options(pcl_attention_compiler_settings INTERFACE
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-gnu-anonymous-struct -Wno-nested-anon-types -Wno-gnu-zero-variadic-macro-arguments>)
 
 if(PCL_ATTENTION_SANITIZE)
   target_compile_options(pcl_attention_compiler_settings INTERFACE
