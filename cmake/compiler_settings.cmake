@@ -13,6 +13,8 @@ if(PCL_ATTENTION_SANITIZE)
   target_compile_options(pcl_attention_compiler_settings INTERFACE
     -fsanitize=${PCL_ATTENTION_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(pcl_attention_compiler_settings INTERFACE -fsanitize=${PCL_ATTENTION_SANITIZE})
+  # With instrumentation GCC takes std::regex and std::function for uninitialized.
+  target_compile_options(pcl_attention_compiler_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   # Under a sanitizer Eigen would align by itself, and free what PCL, built without, has allocated, and the other way round.
   target_compile_definitions(pcl_attention_compiler_settings INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
