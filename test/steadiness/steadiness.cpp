@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <map>
-#include <optional>
 
 // The frames of a still camera: does an object's segment stay the same when only the noise differs?
 
@@ -75,11 +74,11 @@ overlap (const Mask& a, const Mask& b, const Mask& valid)
 const Mask*
 segmentOf (const Mask& object, const Frame& frame)
 {
-  const Mask* best = nullptr;
+  const Mask everywhere (object.size (), true), *best = nullptr;
   double most = 0.0;
   for (const Mask& segment : frame.segments)
   {
-    const double share = overlap (object, segment, Mask (object.size (), true));
+    const double share = overlap (object, segment, everywhere);
     if (share > most)
     {
       most = share;
@@ -95,7 +94,7 @@ measure (int scenes, int seeds, double level, unsigned int threads, bool verbose
   constexpr SceneKind kinds[] = {SceneKind::clutter,  SceneKind::boxes,     SceneKind::stacked,
                                  SceneKind::occluded, SceneKind::cylinders, SceneKind::separate};
   constexpr double same = 0.8;
-  constexpr std::ptrdiff_t smallest = 300; // pixels: as many as a segment has at least
+  constexpr std::ptrdiff_t smallest = 300; // pixels: of fewer the overlap is a matter of the contour
   pcl::AttentionSegmentation<pcl::PointXYZRGB> segmentation;
   segmentation.setNumberOfThreads (threads);
   int objects = 0, steady = 0, pairs = 0, kept = 0;
@@ -111,6 +110,9 @@ measure (int scenes, int seeds, double level, unsigned int threads, bool verbose
     {
       if (std::count (object.begin (), object.end (), true) < smallest)
         continue;
+      std::vector<const Mask*> segments;
+      for (const Frame& frame : frames)
+        segments.push_back (segmentOf (object, frame));
       int kept_here = 0, pairs_here = 0;
       for (std::size_t a = 0; a < frames.size (); ++a)
         for (std::size_t b = a + 1; b < frames.size (); ++b)
@@ -118,9 +120,8 @@ measure (int scenes, int seeds, double level, unsigned int threads, bool verbose
           Mask valid (object.size ());
           for (std::size_t index = 0; index < valid.size (); ++index)
             valid[index] = frames[a].cloud->points[index].label > 0 && frames[b].cloud->points[index].label > 0;
-          const Mask *const first = segmentOf (object, frames[a]), *const second = segmentOf (object, frames[b]);
           ++pairs_here;
-          kept_here += first && second && overlap (*first, *second, valid) >= same;
+          kept_here += segments[a] && segments[b] && overlap (*segments[a], *segments[b], valid) >= same;
         }
       ++objects;
       steady += kept_here == pairs_here;
