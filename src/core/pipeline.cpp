@@ -489,13 +489,6 @@ AttentionPipeline::coveragePoints () const
 }
 
 bool
-AttentionPipeline::isInhibited (const AttentionPoint& point) const
-{
-  return ((parameters_.segmentation.inhibition_of_return || point.kind == AttentionPointKind::coverage) &&
-          claimed_[indexOf (point)]);
-}
-
-bool
 AttentionPipeline::isPreferred (const AttentionPoint& point) const
 {
   return (points_are_users_ || point.kind == AttentionPointKind::coverage ||
@@ -542,17 +535,20 @@ AttentionPipeline::next (AttentionSegment& segment)
     // No segment of a later point can come before one that is as salient as that point.
     if (next_point_ < queue_.size () && (best == waiting_.end () || best->priority < priorityOf (next_point_, 1.0f)))
     {
-      growNext ();
+      growAt (next_point_++);
       continue;
     }
     if (best == waiting_.end ())
       break;
     segment = std::move (best->segment);
+    const std::vector<std::size_t> others = std::move (best->others);
     waiting_.erase (best);
-    const bool inhibits =
-      parameters_.segmentation.inhibition_of_return || segment.attention_point.kind == AttentionPointKind::coverage;
-    if (isInhibited (segment.attention_point) || (inhibits && isDuplicate (segment)))
+    const AttentionPoint& point = segment.attention_point;
+    if (isInhibited (point) || (avoidsReturn (point) && isDuplicate (segment)))
+    {
+      std::for_each (others.begin (), others.end (), [this] (std::size_t place) { growAt (place); });
       continue;
+    }
     segment.rank = ++segments_found_;
     for (const pcl::index_t index : segment.indices)
       claimed_[index] = 1;
@@ -566,20 +562,35 @@ AttentionPipeline::next (AttentionSegment& segment)
 }
 
 void
-AttentionPipeline::growNext ()
+AttentionPipeline::growAt (std::size_t place)
 {
-  const std::size_t place = next_point_++;
   const AttentionPoint& point = queue_[place];
   if (isInhibited (point))
     return;
   CompactClustering& grower = clustering ();
   const StageTimer timer (times_.segmentation);
+  if (avoidsReturn (point))
+  {
+    // From the same patches the same object would grow.
+    const std::vector<int> initial = grower.initialPatches (point);
+    const auto startsWithin = [&] (const auto& contains) {
+      return (std::all_of (initial.begin (), initial.end (),
+                           [&] (int label) { return (contains (patches_->patches[label - 1].pixels.front ())); }));
+    };
+    if (startsWithin ([this] (pcl::index_t index) { return (claimed_[index] != 0); }))
+      return;
+    for (Waiting& waiting : waiting_)
+      if (startsWithin ([&indices = waiting.segment.indices] (pcl::index_t index) {
+            return (std::binary_search (indices.begin (), indices.end (), index));
+          }))
+        return (waiting.others.push_back (place));
+  }
   AttentionSegment segment;
   if (grower.grow (point, segment) &&
       static_cast<int> (segment.indices.size ()) >= parameters_.segmentation.minimum_segment_size)
   {
     const Priority priority = priorityOf (place, sizeWeight (segment));
-    waiting_.push_back ({std::move (segment), priority});
+    waiting_.push_back ({std::move (segment), priority, {}});
   }
 }
 

@@ -183,6 +183,60 @@ TEST (Pipeline, visitsPointsInTheUsersOrder)
   }
 }
 
+TEST (Pipeline, comesBackToPointsOfASegmentThatIsNotGivenOut)
+{
+  // Three strips, a bowl: any two that touch are compact, all three are not. The middle one goes with the first it meets.
+  constexpr int height = 100, middle = 80, right = 120, width = 260;
+  constexpr float focal_length = 525.0f;
+  Image<int> labels (width, height, 0);
+  pcl::PointCloud<pcl::PointXYZ> points (width, height);
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+    {
+      const float beside = static_cast<float> (std::max ({0, middle - column, column - right}));
+      const float z = 1.0f - 0.1f * beside / focal_length;
+      points (column, row) = {(static_cast<float> (column) - 0.5f * width) * z / focal_length,
+                              (static_cast<float> (row) - 0.5f * height) * z / focal_length, z};
+      labels (column, row) = column < middle ? 1 : column < right ? 2 : 3;
+    }
+  AttentionParameters parameters;
+  parameters.clustering.minimum_convexity = -2.0f;
+  parameters.clustering.compactness_noise = 0.0f;
+  parameters.clustering.absorb_size = 0;
+  parameters.clustering.join_hollows = parameters.clustering.join_handles = parameters.clustering.join_occluded = false;
+  parameters.clustering.stay_off_support = false;
+  parameters.segmentation.coverage = false;
+  parameters.segmentation.fixation_margin = 0;
+  parameters.segmentation.full_size = 0.1f;
+  AttentionPipeline pipeline;
+  pipeline.start (gather (points, nullptr), Eigen::Isometry3f::Identity (), parameters, 1);
+  PlanarPatches patches;
+  patches.patches.resize (3);
+  for (int index = 0; index < width * height; ++index)
+    patches.patches[labels[index] - 1].pixels.push_back (index);
+  patches.labels = labels;
+  pipeline.setPatches (std::move (patches));
+  // Ranked by saliency and size, as the user's own points would not be.
+  AttentionPoints fixations;
+  for (const auto& [column, saliency] : {std::pair<int, float> (100, 0.9f), {40, 0.8f}, {180, 0.7f}})
+  {
+    AttentionPoint point;
+    point.column = column;
+    point.row = height / 2;
+    point.saliency = saliency;
+    point.kind = AttentionPointKind::coverage;
+    fixations.points.push_back (point);
+  }
+  pipeline.setAttentionPoints (std::move (fixations));
+  // The middle and the left strip wait, as the right and the middle are larger, which then takes the point of the first.
+  const std::vector<AttentionSegment> segments = allSegments (pipeline);
+  ASSERT_EQ (segments.size (), 2u);
+  EXPECT_EQ (segments[0].attention_point.column, 180);
+  EXPECT_EQ (segments[0].patches, (std::vector<int>{3, 2}));
+  EXPECT_EQ (segments[1].attention_point.column, 40);
+  EXPECT_EQ (segments[1].patches, (std::vector<int>{1, 2}));
+}
+
 TEST (Pipeline, takesTheMaximumOfAGivenSaliency)
 {
   AttentionPipeline pipeline;

@@ -136,6 +136,11 @@ public:
                      const ClusteringParameters& parameters);
   ~CompactClustering ();
 
+  /** \brief Labels of the patches that the object at an attention point starts with, the nearest first (paper IV-B); empty when
+    * there is none within the initial radius. */
+  std::vector<int>
+  initialPatches (const AttentionPoint& point) const;
+
   /** \brief Segment the object at an attention point (paper IV-B).
     * \return false when there is no patch at the point and none within the initial radius */
   bool
@@ -163,9 +168,6 @@ private:
   /** \brief The samples of some patches, evenly taken where there are more than it needs. */
   template <typename Visit> void
   forEachSample (const std::vector<int>& labels, const Visit& visit) const;
-
-  std::vector<int>
-  initialPatches (const AttentionPoint& point) const;
 
   bool
   isSupport (int label) const { return (!support_patches_.empty () && support_patches_[label]); }

@@ -217,9 +217,15 @@ private:
   /** \brief Whether a point stands on the supporting plane, where that counts; coverage points do, the user's order stands. */
   bool
   isPreferred (const AttentionPoint& point) const;
+  /** \brief Whether a point is not to find again what was found. */
+  bool
+  avoidsReturn (const AttentionPoint& point) const
+  {
+    return (parameters_.segmentation.inhibition_of_return || point.kind == AttentionPointKind::coverage);
+  }
   /** \brief Whether an earlier segment has claimed a point that is therefore skipped. */
   bool
-  isInhibited (const AttentionPoint& point) const;
+  isInhibited (const AttentionPoint& point) const { return (avoidsReturn (point) && claimed_[indexOf (point)]); }
 
   /** \brief What is asked for first, then what is preferred, then by saliency. */
   using Priority = std::tuple<float, bool, float>;
@@ -228,9 +234,9 @@ private:
   /** \brief 0..1: a fragment that happens to be salient does not come before the objects. */
   float
   sizeWeight (const AttentionSegment& segment) const;
-  /** \brief Segment at the next point of the queue; what is found waits for its turn. */
+  /** \brief Segment at a point of the queue; what is found waits for its turn. */
   void
-  growNext ();
+  growAt (std::size_t place);
   /** \brief Whether most of a segment was already found. */
   bool
   isDuplicate (const AttentionSegment& segment) const;
@@ -264,6 +270,7 @@ private:
   {
     AttentionSegment segment;
     Priority priority;
+    std::vector<std::size_t> others; /**< places of later points on it, which need no segment of their own if it is found */
   };
 
   std::vector<AttentionPoint> queue_; /**< in the order they are visited: the preferred points, coverage points, the others */
