@@ -102,6 +102,7 @@ GrowingHull::addOnGrid (const std::vector<Eigen::Vector3d>& points)
   if (points.empty ())
     return;
   const auto first = static_cast<int> (points_.size ());
+  Eigen::ArrayXd distances; // room for every point's
   if (facets_.size () == 0)
   {
     points_.insert (points_.end (), points.begin (), points.end ());
@@ -109,13 +110,13 @@ GrowingHull::addOnGrid (const std::vector<Eigen::Vector3d>& points)
       return;
     // The tetrahedron's own corners lie on it and change nothing.
     for (const int point : extremesFirst (points_))
-      insert (point);
+      insert (point, distances);
   }
   else
   {
     points_.insert (points_.end (), points.begin (), points.end ());
     for (const int point : extremesFirst (points))
-      insert (first + point);
+      insert (first + point, distances);
   }
   dropInnerPoints ();
 }
@@ -158,14 +159,6 @@ GrowingHull::Facets::push_back (const std::array<int, 3>& triangle, const Eigen:
 }
 
 void
-GrowingHull::Facets::move (std::size_t from, std::size_t to)
-{
-  corners[to] = corners[from];
-  for (std::vector<double>* values : {&x, &y, &z, &offset})
-    (*values)[to] = (*values)[from];
-}
-
-void
 GrowingHull::Facets::resize (std::size_t count)
 {
   corners.resize (count);
@@ -174,12 +167,13 @@ GrowingHull::Facets::resize (std::size_t count)
 }
 
 double
-GrowingHull::Facets::largestDistance (const Eigen::Vector3d& point) const
+GrowingHull::Facets::largestDistance (const Eigen::Vector3d& point, Eigen::ArrayXd& distances) const
 {
   const auto all = [this] (const std::vector<double>& values) {
     return (Eigen::Map<const Eigen::ArrayXd> (values.data (), static_cast<Eigen::Index> (size ())));
   };
-  return ((all (x) * point.x () + all (y) * point.y () + all (z) * point.z () + all (offset)).maxCoeff ());
+  distances = all (x) * point.x () + all (y) * point.y () + all (z) * point.z () + all (offset);
+  return (distances.maxCoeff ());
 }
 
 void
@@ -190,31 +184,37 @@ GrowingHull::addFacet (int a, int b, int c)
 }
 
 void
-GrowingHull::insert (int point)
+GrowingHull::insert (int point, Eigen::ArrayXd& distances)
 {
-  const Eigen::Vector3d position = points_[point];
   // A point on a facet's plane does not see it: what it adds beside it is seen by the facet's neighbours.
-  if (facets_.largestDistance (position) <= 0.0)
+  if (facets_.largestDistance (points_[point], distances) <= 0.0)
     return;
-  std::vector<std::uint64_t> edges;
-  const auto edge = [] (int from, int to) { return (static_cast<std::uint64_t> (from) << 32 | static_cast<std::uint32_t> (to)); };
+  // An edge that is met in one direction only is the horizon.
+  constexpr std::pair<int, int> met_in_both{-1, -1};
+  std::vector<std::pair<int, int>> edges;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < facets_.size (); ++i)
   {
-    if (facets_.distance (i, position) > 0.0)
-      for (int corner = 0; corner < 3; ++corner)
-        edges.push_back (edge (facets_.corners[i][corner], facets_.corners[i][(corner + 1) % 3]));
-    else if (kept++ != i)
-      facets_.move (i, kept - 1);
+    if (distances[static_cast<Eigen::Index> (i)] <= 0.0)
+    {
+      if (kept++ != i)
+        facets_.move (i, kept - 1);
+      continue;
+    }
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int from = facets_.corners[i][corner], to = facets_.corners[i][(corner + 1) % 3];
+      const auto back = std::find (edges.begin (), edges.end (), std::pair (to, from));
+      if (back != edges.end ())
+        *back = met_in_both;
+      else
+        edges.emplace_back (from, to);
+    }
   }
   facets_.resize (kept);
-  // An edge that is met in one direction only is the horizon.
-  for (const std::uint64_t seen : edges)
-  {
-    const int from = static_cast<int> (seen >> 32), to = static_cast<int> (seen & 0xffffffffu);
-    if (std::find (edges.begin (), edges.end (), edge (to, from)) == edges.end ())
+  for (const auto& [from, to] : edges)
+    if (from >= 0)
       addFacet (from, to, point);
-  }
 }
 
 void

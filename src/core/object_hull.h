@@ -61,17 +61,20 @@ private:
     push_back (const std::array<int, 3>& triangle, const Eigen::Vector3d& normal, double distance);
     /** \brief Overwrite one by another. */
     void
-    move (std::size_t from, std::size_t to);
+    move (std::size_t from, std::size_t to)
+    {
+      corners[to] = corners[from];
+      x[to] = x[from];
+      y[to] = y[from];
+      z[to] = z[from];
+      offset[to] = offset[from];
+    }
     void
     resize (std::size_t count);
+    /** \brief The largest distance of a point from any plane.
+      * \param[out] distances from all of them */
     double
-    distance (std::size_t facet, const Eigen::Vector3d& point) const
-    {
-      return (x[facet] * point.x () + y[facet] * point.y () + z[facet] * point.z () + offset[facet]);
-    }
-    /** \brief The largest distance of a point from any plane. */
-    double
-    largestDistance (const Eigen::Vector3d& point) const;
+    largestDistance (const Eigen::Vector3d& point, Eigen::ArrayXd& distances) const;
   };
 
   void
@@ -80,8 +83,9 @@ private:
     * \return false when there are none */
   bool
   startTetrahedron ();
+  /** \param distances room for a point's distances from the facets */
   void
-  insert (int point);
+  insert (int point, Eigen::ArrayXd& distances);
   void
   addFacet (int a, int b, int c);
   /** \brief Forget points that are no corner. */
