@@ -218,8 +218,8 @@ CompactClustering::centroidOf (const std::vector<int>& labels) const
 template <typename Visit> void
 CompactClustering::forEachSample (const std::vector<int>& labels, const Visit& visit) const
 {
-  // So many fix a mean over the object to a tenth of a millimetre, however many patches it has.
-  constexpr std::size_t enough_samples = 800;
+  // So many fix a mean over the object to a fifth of a millimetre, however many patches it has.
+  constexpr std::size_t enough_samples = 400;
   std::size_t count = 0;
   for (const int label : labels)
     count += samples_[label].size ();

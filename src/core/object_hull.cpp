@@ -193,7 +193,8 @@ GrowingHull::insert (int point, Eigen::ArrayXd& distances)
   constexpr std::pair<int, int> met_in_both{-1, -1};
   std::vector<std::pair<int, int>> edges;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < facets_.size (); ++i)
+  const std::size_t count = facets_.size ();
+  for (std::size_t i = 0; i < count; ++i)
   {
     if (distances[static_cast<Eigen::Index> (i)] <= 0.0)
     {
@@ -201,9 +202,10 @@ GrowingHull::insert (int point, Eigen::ArrayXd& distances)
         facets_.move (i, kept - 1);
       continue;
     }
+    const std::array<int, 3> triangle = facets_.corners[i];
     for (int corner = 0; corner < 3; ++corner)
     {
-      const int from = facets_.corners[i][corner], to = facets_.corners[i][(corner + 1) % 3];
+      const int from = triangle[corner], to = triangle[corner == 2 ? 0 : corner + 1];
       const auto back = std::find (edges.begin (), edges.end (), std::pair (to, from));
       if (back != edges.end ())
         *back = met_in_both;
