@@ -69,8 +69,10 @@ check() {
     release | debug | asan) build_and_test "$1" ;;
     tsan)
       # All that has threads, at build time too, as the programs are asked for their tests. Debian's OpenMP run-time is not
-      # instrumented itself; its archer tool tells the sanitizer what it synchronises.
+      # instrumented itself; its archer tool tells the sanitizer what it synchronises, once it is told where the tool is.
       export TSAN_OPTIONS="suppressions=$PWD/test/tsan.supp ignore_noninstrumented_modules=1 ${TSAN_OPTIONS:-}"
+      OMP_TOOL_LIBRARIES=$(realpath --canonicalize-existing "$(clang -print-resource-dir)/../../libarcher.so") || return
+      export OMP_TOOL_LIBRARIES
       configure tsan &&
         cmake --build --preset tsan --target pcl_attention_test_{core,classes,apps,viewer} pcl_attention_soak &&
         ctest --preset tsan --parallel 2 --no-tests=error --tests-regex '^(core|classes|apps|viewer|soak)\.'
