@@ -9,6 +9,8 @@
 #include <pcl/segmentation/attention_segmentation.h>
 #include <pcl/segmentation/impl/organized_cloud.hpp>
 
+#include <memory>
+
 namespace pcl_attention
 {
 
@@ -17,23 +19,30 @@ namespace
 
 const AttentionParameters parameters;
 
-void
-segmentFrame (const Frame& frame, const AttentionParameters& settings, unsigned int threads)
+/** \brief Register whole frames of a stream, which go through one segmentation so that its memory is used again. */
+template <typename Segment> void
+measureStream (const std::string& name, const std::vector<Frame>& frames, const AttentionParameters& settings, unsigned int threads,
+               const Segment& segment)
 {
-  pcl::AttentionSegmentation<pcl::PointXYZRGB> segmentation (settings);
-  segmentation.setInputCloud (frame.scene);
-  segmentation.setNumberOfThreads (threads);
+  const auto segmentation = std::make_shared<pcl::AttentionSegmentation<pcl::PointXYZRGB>> (settings);
+  segmentation->setNumberOfThreads (threads);
+  measure (name, frames, [segmentation, segment] (const Frame& frame) {
+    segmentation->setInputCloud (frame.scene);
+    segment (*segmentation);
+  });
+}
+
+void
+segmentAll (pcl::AttentionSegmentation<pcl::PointXYZRGB>& segmentation)
+{
   std::vector<AttentionSegment> segments;
   segmentation.segment (segments);
   benchmark::DoNotOptimize (segments);
 }
 
 void
-segmentFirstObject (const Frame& frame, unsigned int threads)
+segmentFirst (pcl::AttentionSegmentation<pcl::PointXYZRGB>& segmentation)
 {
-  pcl::AttentionSegmentation<pcl::PointXYZRGB> segmentation (parameters);
-  segmentation.setInputCloud (frame.scene);
-  segmentation.setNumberOfThreads (threads);
   AttentionSegment segment;
   segmentation.segmentNext (segment);
   benchmark::DoNotOptimize (segment);
@@ -102,11 +111,11 @@ measureStages (const std::vector<Frame>& frames)
     benchmark::DoNotOptimize (
         findSupportingPlanes (frame.cloud, frame.normals, frame.coarser, parameters.support));
   });
-  measure ("first_object/one_thread", frames, [] (const Frame& frame) { segmentFirstObject (frame, 1); });
-  measure ("first_object/two_threads", frames, [] (const Frame& frame) { segmentFirstObject (frame, 2); });
-  measure ("frame/one_thread", frames, [] (const Frame& frame) { segmentFrame (frame, parameters, 1); });
-  measure ("frame/two_threads", frames, [] (const Frame& frame) { segmentFrame (frame, parameters, 2); });
-  measure ("frame/paper", frames, [] (const Frame& frame) { segmentFrame (frame, AttentionParameters::paper (), 1); });
+  measureStream ("first_object/one_thread", frames, parameters, 1, segmentFirst);
+  measureStream ("first_object/two_threads", frames, parameters, 2, segmentFirst);
+  measureStream ("frame/one_thread", frames, parameters, 1, segmentAll);
+  measureStream ("frame/two_threads", frames, parameters, 2, segmentAll);
+  measureStream ("frame/paper", frames, AttentionParameters::paper (), 1, segmentAll);
 }
 
 } // namespace pcl_attention
