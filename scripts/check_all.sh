@@ -75,7 +75,8 @@ check() {
       export OMP_TOOL_LIBRARIES
       configure tsan &&
         cmake --build --preset tsan --target pcl_attention_test_{core,classes,apps,viewer} pcl_attention_soak &&
-        ctest --preset tsan --parallel 2 --no-tests=error --tests-regex '^(core|classes|apps|viewer|soak)\.'
+        ctest --preset tsan --parallel 2 --no-tests=error --tests-regex '^(core|classes|apps|viewer|soak)\.' \
+          --exclude-regex TheNewOneCannotBeWritten # it limits the size of files, and this sanitizer's memory is one
       ;;
     static) build_and_test_in static -D BUILD_SHARED_LIBS=OFF ;;
     clang) build_and_test_in clang -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ ;;
