@@ -851,11 +851,10 @@ CompactClustering::takeLargerObject (Piece& object)
 }
 
 bool
-CompactClustering::grow (const AttentionPoint& point, AttentionSegment& segment)
+CompactClustering::grow (const AttentionPoint& point, const std::vector<int>& initial, AttentionSegment& segment)
 {
   segment = AttentionSegment ();
   segment.attention_point = point;
-  const std::vector<int> initial = initialPatches (point);
   if (initial.empty ())
     return (false);
   Piece object = wholeObject (initial);

@@ -569,10 +569,10 @@ AttentionPipeline::growAt (std::size_t place)
     return;
   CompactClustering& grower = clustering ();
   const StageTimer timer (times_.segmentation);
+  const std::vector<int> initial = grower.initialPatches (point);
   if (avoidsReturn (point))
   {
     // From the same patches the same object would grow.
-    const std::vector<int> initial = grower.initialPatches (point);
     const auto startsWithin = [&] (const auto& contains) {
       return (std::all_of (initial.begin (), initial.end (),
                            [&] (int label) { return (contains (patches_->patches[label - 1].pixels.front ())); }));
@@ -586,7 +586,7 @@ AttentionPipeline::growAt (std::size_t place)
         return (waiting.others.push_back (place));
   }
   AttentionSegment segment;
-  if (grower.grow (point, segment) &&
+  if (grower.grow (point, initial, segment) &&
       static_cast<int> (segment.indices.size ()) >= parameters_.segmentation.minimum_segment_size)
   {
     const Priority priority = priorityOf (place, sizeWeight (segment));
@@ -599,7 +599,7 @@ AttentionPipeline::segmentAt (const AttentionPoint& point, AttentionSegment& seg
 {
   CompactClustering& grower = clustering ();
   const StageTimer timer (times_.segmentation);
-  if (!grower.grow (point, segment))
+  if (!grower.grow (point, grower.initialPatches (point), segment))
     return (false);
   describe (segment);
   return (true);

@@ -22,6 +22,12 @@ struct Color
 
 constexpr Color red{200, 20, 20}, green{20, 200, 20}, blue{20, 20, 200}, grey{120, 120, 120};
 
+bool
+growAt (const AttentionPoint& point, CompactClustering& clustering, AttentionSegment& segment)
+{
+  return (clustering.grow (point, clustering.initialPatches (point), segment));
+}
+
 /** \brief A frame with patches given by hand. */
 struct Case
 {
@@ -56,7 +62,7 @@ struct Case
     point.column = column;
     point.row = row;
     AttentionSegment segment;
-    EXPECT_TRUE (clustering.grow (point, segment));
+    EXPECT_TRUE (growAt (point, clustering, segment));
     return (segment);
   }
 };
@@ -467,18 +473,18 @@ TEST (CompactClustering, FindsNothingWhereThereIsNoPatch)
   AttentionSegment segment;
   point.column = 24; // 6 pixels beside the patch
   point.row = 25;
-  EXPECT_FALSE (clustering.grow (point, segment));
+  EXPECT_FALSE (growAt (point, clustering, segment));
   EXPECT_TRUE (segment.indices.empty ());
   point.column = 25;
-  EXPECT_TRUE (clustering.grow (point, segment));
+  EXPECT_TRUE (growAt (point, clustering, segment));
   EXPECT_EQ (segment.indices.size (), 100u);
   EXPECT_TRUE (std::is_sorted (segment.indices.begin (), segment.indices.end ()));
   // A radius, not a square: 4 pixels left of its corner and 4 above are too far, 3 and 4 are not.
   point.column = 26;
   point.row = 16;
-  EXPECT_FALSE (clustering.grow (point, segment));
+  EXPECT_FALSE (growAt (point, clustering, segment));
   point.column = 27;
-  EXPECT_TRUE (clustering.grow (point, segment));
+  EXPECT_TRUE (growAt (point, clustering, segment));
 }
 
 TEST (CompactClustering, GivesTheSameFromTheSamePointAgain)
@@ -490,11 +496,11 @@ TEST (CompactClustering, GivesTheSameFromTheSamePointAgain)
   point.column = 10;
   point.row = 24;
   AttentionSegment first, other, again;
-  ASSERT_TRUE (clustering.grow (point, first));
+  ASSERT_TRUE (growAt (point, clustering, first));
   point.column = 50;
-  ASSERT_TRUE (clustering.grow (point, other));
+  ASSERT_TRUE (growAt (point, clustering, other));
   point.column = 10;
-  ASSERT_TRUE (clustering.grow (point, again));
+  ASSERT_TRUE (growAt (point, clustering, again));
   EXPECT_EQ (first.indices, again.indices);
   EXPECT_EQ (first.compactness, again.compactness);
   EXPECT_NE (first.indices, other.indices);

@@ -142,9 +142,10 @@ public:
   initialPatches (const AttentionPoint& point) const;
 
   /** \brief Segment the object at an attention point (paper IV-B).
-    * \return false when there is no patch at the point and none within the initial radius */
+    * \param[in] initial the point's \ref initialPatches
+    * \return false when there are none */
   bool
-  grow (const AttentionPoint& point, AttentionSegment& segment);
+  grow (const AttentionPoint& point, const std::vector<int>& initial, AttentionSegment& segment);
 
   /** \brief Grow beforehand the pieces that objects are put together from. The results of \ref grow do not depend on it.
     * \param[in] is_over asked before each piece: whether to leave the others */
