@@ -27,7 +27,7 @@ pixelArea (const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float fo
 {
   constexpr float smallest_cosine = 0.1f;
   const float side = point.z () / focal_length, distance = point.norm ();
-  return (side * side * distance / std::max (smallest_cosine * distance, std::abs (normal.dot (point))));
+  return (side * side * point.z () / std::max (smallest_cosine * distance, std::abs (normal.dot (point))));
 }
 
 /** \brief The outline of a plane's points, to ask what lies over it. */
