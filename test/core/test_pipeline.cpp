@@ -46,6 +46,58 @@ expectSame (const std::vector<AttentionSegment>& a, const std::vector<AttentionS
   }
 }
 
+/** \brief The segments at a point in each of three strips of a bowl, of which any two that touch are compact, but not all three:
+  * the middle one, of 40 columns, goes with the first it meets.
+  * \param[in] left_columns of the left strip, 1 to 80; the right one has 140 */
+std::vector<AttentionSegment>
+segmentsOfStrips (int left_columns)
+{
+  constexpr int height = 100, middle = 80, right = 120, width = 260;
+  constexpr float focal_length = 525.0f;
+  pcl::PointCloud<pcl::PointXYZ> points (width, height);
+  PlanarPatches patches;
+  patches.labels.assign (width, height, 0);
+  patches.patches.resize (3);
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+    {
+      const float beside = static_cast<float> (std::max ({0, middle - column, column - right}));
+      const float z = 1.0f - 0.1f * beside / focal_length;
+      points (column, row) = {(static_cast<float> (column) - 0.5f * width) * z / focal_length,
+                              (static_cast<float> (row) - 0.5f * height) * z / focal_length, z};
+      if (column < middle - left_columns)
+        continue;
+      const int label = column < middle ? 1 : column < right ? 2 : 3;
+      patches.labels (column, row) = label;
+      patches.patches[label - 1].pixels.push_back (row * width + column);
+    }
+  AttentionParameters parameters;
+  parameters.clustering.minimum_convexity = -2.0f;
+  parameters.clustering.compactness_noise = 0.0f;
+  parameters.clustering.absorb_size = 0;
+  parameters.clustering.join_hollows = parameters.clustering.join_handles = parameters.clustering.join_occluded = false;
+  parameters.clustering.stay_off_support = false;
+  parameters.segmentation.coverage = false;
+  parameters.segmentation.fixation_margin = 0;
+  parameters.segmentation.full_size = 0.1f;
+  AttentionPipeline pipeline;
+  pipeline.start (gather (points, nullptr), Eigen::Isometry3f::Identity (), parameters, 1);
+  pipeline.setPatches (std::move (patches));
+  // Ranked by saliency and size, as the user's own points would not be.
+  AttentionPoints fixations;
+  for (const auto& [column, saliency] : {std::pair<int, float> (100, 0.9f), {70, 0.8f}, {180, 0.7f}})
+  {
+    AttentionPoint point;
+    point.column = column;
+    point.row = height / 2;
+    point.saliency = saliency;
+    point.kind = AttentionPointKind::coverage;
+    fixations.points.push_back (point);
+  }
+  pipeline.setAttentionPoints (std::move (fixations));
+  return (allSegments (pipeline));
+}
+
 TEST (Pipeline, changedParametersGiveWhatAFreshStartGives)
 {
   const OrganizedCloud cloud = renderedCloud ();
@@ -185,56 +237,22 @@ TEST (Pipeline, visitsPointsInTheUsersOrder)
 
 TEST (Pipeline, comesBackToPointsOfASegmentThatIsNotGivenOut)
 {
-  // Three strips, a bowl: any two that touch are compact, all three are not. The middle one goes with the first it meets.
-  constexpr int height = 100, middle = 80, right = 120, width = 260;
-  constexpr float focal_length = 525.0f;
-  Image<int> labels (width, height, 0);
-  pcl::PointCloud<pcl::PointXYZ> points (width, height);
-  for (int row = 0; row < height; ++row)
-    for (int column = 0; column < width; ++column)
-    {
-      const float beside = static_cast<float> (std::max ({0, middle - column, column - right}));
-      const float z = 1.0f - 0.1f * beside / focal_length;
-      points (column, row) = {(static_cast<float> (column) - 0.5f * width) * z / focal_length,
-                              (static_cast<float> (row) - 0.5f * height) * z / focal_length, z};
-      labels (column, row) = column < middle ? 1 : column < right ? 2 : 3;
-    }
-  AttentionParameters parameters;
-  parameters.clustering.minimum_convexity = -2.0f;
-  parameters.clustering.compactness_noise = 0.0f;
-  parameters.clustering.absorb_size = 0;
-  parameters.clustering.join_hollows = parameters.clustering.join_handles = parameters.clustering.join_occluded = false;
-  parameters.clustering.stay_off_support = false;
-  parameters.segmentation.coverage = false;
-  parameters.segmentation.fixation_margin = 0;
-  parameters.segmentation.full_size = 0.1f;
-  AttentionPipeline pipeline;
-  pipeline.start (gather (points, nullptr), Eigen::Isometry3f::Identity (), parameters, 1);
-  PlanarPatches patches;
-  patches.patches.resize (3);
-  for (int index = 0; index < width * height; ++index)
-    patches.patches[labels[index] - 1].pixels.push_back (index);
-  patches.labels = labels;
-  pipeline.setPatches (std::move (patches));
-  // Ranked by saliency and size, as the user's own points would not be.
-  AttentionPoints fixations;
-  for (const auto& [column, saliency] : {std::pair<int, float> (100, 0.9f), {40, 0.8f}, {180, 0.7f}})
-  {
-    AttentionPoint point;
-    point.column = column;
-    point.row = height / 2;
-    point.saliency = saliency;
-    point.kind = AttentionPointKind::coverage;
-    fixations.points.push_back (point);
-  }
-  pipeline.setAttentionPoints (std::move (fixations));
   // The middle and the left strip wait, as the right and the middle are larger, which then takes the point of the first.
-  const std::vector<AttentionSegment> segments = allSegments (pipeline);
+  const std::vector<AttentionSegment> segments = segmentsOfStrips (80);
   ASSERT_EQ (segments.size (), 2u);
   EXPECT_EQ (segments[0].attention_point.column, 180);
   EXPECT_EQ (segments[0].patches, (std::vector<int>{3, 2}));
-  EXPECT_EQ (segments[1].attention_point.column, 40);
+  EXPECT_EQ (segments[1].attention_point.column, 70);
   EXPECT_EQ (segments[1].patches, (std::vector<int>{1, 2}));
+}
+
+TEST (Pipeline, dropsWhatIsByMoreThanHalfOfEarlierSegments)
+{
+  // The left strip's segment has the 40 columns of the middle one, which the right strip's has already.
+  EXPECT_EQ (segmentsOfStrips (40).size (), 2u);
+  const std::vector<AttentionSegment> segments = segmentsOfStrips (39);
+  ASSERT_EQ (segments.size (), 1u);
+  EXPECT_EQ (segments[0].patches, (std::vector<int>{3, 2}));
 }
 
 TEST (Pipeline, takesTheMaximumOfAGivenSaliency)
