@@ -193,28 +193,10 @@ groupPatches (const PlanarPatches& patches, const PatchGraph& graph, const std::
       label = parent[label] = parent[parent[label]];
     return (label);
   };
-  const auto isFragment = [&] (int label) {
-    return (static_cast<int> (patches.patches[label - 1].pixels.size ()) < like_growth.absorb_size);
-  };
-  // Fragments lie in creases and would bridge them.
   for (const auto& [labels, border] : graph.borders)
-    if (!isExcluded (labels.first) && !isExcluded (labels.second) && !isFragment (labels.first) &&
-        !isFragment (labels.second) && border.connectedShare () >= like_growth.minimum_connection &&
-        border.convexity () >= like_growth.minimum_convexity)
+    if (!isExcluded (labels.first) && !isExcluded (labels.second) &&
+        border.connectedShare () >= like_growth.minimum_connection && border.convexity () >= like_growth.minimum_convexity)
       parent[root (labels.second)] = root (labels.first);
-  for (int label = 1; label < static_cast<int> (parent.size ()); ++label)
-  {
-    if (isExcluded (label) || !isFragment (label))
-      continue;
-    int most_connected = label, connected = 0;
-    for (const int neighbor : graph.neighbors[label])
-      if (!isExcluded (neighbor) && !isFragment (neighbor) && graph.border (label, neighbor).connected > connected)
-      {
-        most_connected = neighbor;
-        connected = graph.border (label, neighbor).connected;
-      }
-    parent[label] = root (most_connected);
-  }
 
   std::vector<int> piece (parent.size (), 0), piece_of_root (parent.size (), 0);
   int count = 0;

@@ -16,11 +16,8 @@ namespace pcl_attention
 namespace
 {
 
-/** \brief The shape of fewer pixels says nothing. */
-constexpr int certain_size = 200;
-
-/** \brief How many times larger an object is than a handle on it, at least. */
-constexpr int much_larger = 4;
+/** \brief What lies in a hollow hides no more of its contour's surroundings than this share. */
+constexpr float hiding_nothing = 0.1f;
 
 } // namespace
 
@@ -329,19 +326,6 @@ CompactClustering::colorDistances (int label, Piece& piece) const
   return {chiSquare (piece.histogram, histograms_[label]), chiSquare (piece.surroundings, histograms_[label])};
 }
 
-float
-CompactClustering::borderConvexity (int label, const PatchBorder& border, const Piece& piece) const
-{
-  constexpr int certain_pairs = 10;
-  PatchBorder certain;
-  if (static_cast<int> (patches_.patches[label - 1].pixels.size ()) >= parameters_.absorb_size)
-    for (const int neighbor : graph_.neighbors[label])
-      if (piece.member[neighbor] &&
-          static_cast<int> (patches_.patches[neighbor - 1].pixels.size ()) >= parameters_.absorb_size)
-        certain += graph_.border (neighbor, label);
-  return (certain.convexity_pairs >= certain_pairs ? certain.convexity () : border.convexity ());
-}
-
 GrowthStep
 CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
                              ObjectHull& united)
@@ -362,28 +346,24 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   bool hollow = false;
   if (parameters_.minimum_convexity > -2.0f)
   {
-    constexpr float certainly_curved = 0.2f;
-    constexpr int color_size = 40;
-    const int pixels = std::min (piece.pixels, static_cast<int> (patches_.patches[label - 1].pixels.size ()));
     float limit = parameters_.minimum_convexity;
     if (parameters_.recognize_hollows)
     {
+      const int pixels = std::min (piece.pixels, static_cast<int> (patches_.patches[label - 1].pixels.size ()));
       const auto [less, more] = std::minmax ({piece.hollowness, patchHollowness (label)});
       hollow = less > parameters_.minimum_hollowness;
       if (hollow)
         limit = std::min (limit, -0.7f);
-      const bool inside_and_outside = more > certainly_curved && less < -certainly_curved && pixels >= certain_size;
+      const bool inside_and_outside =
+        more > parameters_.certain_hollowness && less < -parameters_.certain_hollowness && pixels >= parameters_.certain_size;
       if (inside_and_outside)
         return (refuse (GrowthConstraint::convexity, -2.0f, limit));
     }
-    if (pixels < color_size)
-      limit = std::min (limit, -0.6f);
-    else if (cloud_.hasColor ())
+    if (cloud_.hasColor ())
       limit += parameters_.color_convexity *
                std::clamp ((chiSquare (piece.histogram, histograms_[label]) - 0.5f) / 0.5f, -1.0f, 1.0f);
-    const float convexity = borderConvexity (label, border, piece);
-    if (convexity < limit)
-      return (refuse (GrowthConstraint::convexity, convexity, limit));
+    if (border.convexity () < limit)
+      return (refuse (GrowthConstraint::convexity, border.convexity (), limit));
   }
   if (parameters_.color_constraint != ColorConstraint::off && !color_bins_.empty ())
   {
@@ -399,8 +379,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   together.push_back (label);
   const float kappa = compactnessOf (together, united.visible (), hollow);
   // Noise moves the hull outwards, the points not: their mean distance grows by as much.
-  const float depth = patches_.patches[label - 1].centroid.z ();
-  const float limit = parameters_.compactness_threshold + parameters_.compactness_noise * depth_noise_ * depth * depth;
+  const float limit = withNoise (parameters_.compactness_threshold, patches_.patches[label - 1].centroid.z ());
   if (kappa >= limit)
     return (refuse (GrowthConstraint::compactness, kappa, limit));
   step.value = kappa;
@@ -534,30 +513,14 @@ CompactClustering::isSame (const Piece& piece, const Piece& other) const
 }
 
 bool
-CompactClustering::isFragmentOf (const Piece& object, const Piece& piece)
-{
-  if (piece.pixels >= parameters_.absorb_size || piece.pixels >= object.pixels)
-    return (false);
-  const PatchBorder border = borderBetween (object, piece);
-  if (border.connected < 0.3f * piece.perimeter || border.convexity () < -0.8f)
-    return (false);
-  for (const auto& [label, other] : piece.borders)
-    if (!object.member[label] && !isSupport (label) && !isSame (pieceAt (label), object) &&
-        borderBetween (pieceAt (label), piece).connected > border.connected)
-      return (false);
-  return (true);
-}
-
-bool
 CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
 {
-  constexpr float thin = 0.02f;
-  if (much_larger * piece.pixels > object.pixels)
+  if (parameters_.handle_size * piece.pixels > object.pixels || piece.hollowness > parameters_.certain_hollowness)
     return (false);
   // The contour is counted in four directions, so that a strip of w pixels has four pairs for every w pixels of its area.
   const float depth = patches_.patches[piece.patches.front () - 1].centroid.z ();
   const float width = 4.0f * static_cast<float> (piece.pixels) / std::max (1, piece.perimeter) * depth / focal_length_;
-  if (!(width < thin))
+  if (!(width < parameters_.handle_width))
     return (false);
   const PatchBorder border = borderBetween (object, piece);
   if (border.connected < 0.05f * piece.perimeter)
@@ -577,62 +540,78 @@ CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
 }
 
 bool
-CompactClustering::isHollowOf (const Piece& object, const Piece& piece, const Piece& whole)
+CompactClustering::isRim (const Piece& wall, const Piece& inside) const
 {
-  constexpr float hollow = 0.15f;
-  const bool object_is_hollow = object.hollowness > hollow, piece_is_hollow = piece.hollowness > hollow;
+  PointMoments rim;
+  for (const int inside_label : inside.patches)
+    for (const int label : graph_.neighbors[inside_label])
+    {
+      if (inside.member[label])
+        continue;
+      const BorderPoints points = graph_.borderPoints (inside_label, label);
+      if (!wall.member[label])
+        rim += points.first_in_front;
+      else
+      {
+        rim += points.second_connected;
+        rim += points.second_in_front;
+      }
+    }
+  const float limit = withNoise (parameters_.surface_tolerance, centroidOf (inside.patches).z ());
+  return (rim.count > 0 && rim.flatness () <= limit);
+}
+
+bool
+CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
+{
+  constexpr float least_score = 0.05f;
+  const bool object_is_hollow = object.hollowness > parameters_.certain_hollowness,
+             piece_is_hollow = piece.hollowness > parameters_.certain_hollowness;
   if (object_is_hollow == piece_is_hollow)
     return (false);
   const Piece& inside = object_is_hollow ? object : piece;
   const Piece& wall = object_is_hollow ? piece : object;
   // A crease between two objects curves inwards as well.
-  if (inside.pixels < certain_size)
+  if (inside.pixels < parameters_.certain_size)
     return (false);
+  // The wall is the neighbour with most of the border and the likest colours.
   const auto score = [&] (const Piece& candidate) {
-    const PatchBorder border = borderBetween (candidate, inside);
-    const float share = static_cast<float> (border.pairs) / std::max (1, inside.perimeter);
-    const float color = chiSquare (candidate.histogram, inside.histogram);
-    const bool before = border.first_in_front >= 0.4f * border.pairs;
-    const bool over_rim = border.connectedShare () >= 0.5f && border.convexity () >= 0.1f;
-    return (share >= 0.15f && (before || over_rim) ? share * (1.05f - color) : 0.0f);
+    if (candidate.hollowness > parameters_.minimum_hollowness)
+      return (0.0f); // another part of the inside
+    const float share = static_cast<float> (borderBetween (candidate, inside).pairs) / std::max (1, inside.perimeter);
+    const float value = share * (1.05f - chiSquare (candidate.histogram, inside.histogram));
+    return (value >= least_score && isRim (candidate, inside) ? value : 0.0f);
   };
   const float own = score (wall);
   if (own <= 0.0f)
     return (false);
   for (const auto& neighbor : inside.borders)
-    if (!wall.member[neighbor.first] && !isSupport (neighbor.first) && !whole.member[neighbor.first] && !isSame (pieceAt (neighbor.first), wall) &&
-        !isSame (pieceAt (neighbor.first), whole) && score (pieceAt (neighbor.first)) > own)
+    if (!wall.member[neighbor.first] && !isSupport (neighbor.first) && !isSame (pieceAt (neighbor.first), wall) &&
+        score (pieceAt (neighbor.first)) > own)
       return (false);
   return (true);
 }
 
 bool
-CompactClustering::isOtherWallOf (const Piece& object, const Piece& piece)
-{
-  return (std::any_of (object.joined.begin (), object.joined.end (),
-                       [&] (const Piece* inside) { return (isHollowOf (*inside, piece, object)); }));
-}
-
-bool
 CompactClustering::isFloorOf (const Piece& object, const Piece& piece) const
 {
-  constexpr float hollow = 0.15f, outside = -0.2f;
+  const float hollow = parameters_.certain_hollowness;
   const bool object_is_hollow = object.hollowness > hollow;
   const Piece& inside = object_is_hollow ? object : piece;
   const Piece& floor = object_is_hollow ? piece : object;
-  if (inside.hollowness <= hollow || floor.hollowness < outside || inside.pixels < certain_size)
+  if (inside.hollowness <= hollow || floor.hollowness < -hollow || inside.pixels < parameters_.certain_size)
     return (false);
-  // What lies in a hollow hides nothing.
   int before = 0;
   for (const auto& border : floor.borders)
     before += border.second.first_in_front;
-  return (before <= 0.05f * floor.perimeter && borderBetween (inside, floor).connected >= 0.25f * floor.perimeter);
+  return (before <= hiding_nothing * floor.perimeter && borderBetween (inside, floor).connected >= 0.25f * floor.perimeter);
 }
 
 bool
 CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece)
 {
-  if (object.pixels < certain_size || piece.pixels < certain_size || borderBetween (object, piece).pairs > 0)
+  const int smallest = parameters_.certain_size;
+  if (object.pixels < smallest || piece.pixels < smallest || borderBetween (object, piece).pairs > 0)
     return (false);
   const auto centerPixel = [this] (const Piece& of) {
     Eigen::Vector2f sum = Eigen::Vector2f::Zero ();
@@ -643,7 +622,8 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
     return (sum);
   };
   const Eigen::Vector3f a = centroidOf (object.patches), b = centroidOf (piece.patches);
-  if ((a - b).norm () > 0.3f || chiSquare (object.histogram, piece.histogram) > 0.6f)
+  if ((a - b).norm () > parameters_.occluded_distance ||
+      chiSquare (object.histogram, piece.histogram) > parameters_.occluded_color || !shareSurface (object, piece))
     return (false);
   const Eigen::Vector2f from = centerPixel (object), to = centerPixel (piece);
   const int steps = static_cast<int> ((to - from).norm ());
@@ -667,7 +647,30 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
   united.add (piece.hull);
   std::vector<int> together = object.patches;
   together.insert (together.end (), piece.patches.begin (), piece.patches.end ());
-  return (compactnessOf (together, united.visible (), false) <= 0.006f);
+  return (compactnessOf (together, united.visible (), false) <=
+          withNoise (parameters_.compactness_threshold, std::max (a.z (), b.z ())));
+}
+
+bool
+CompactClustering::shareSurface (const Piece& piece, const Piece& other) const
+{
+  constexpr int large = 5; // of a piece the fifth part
+  constexpr float parallel = 0.95f;
+  bool goes_on = false;
+  for (const int label : piece.patches)
+    for (const int other_label : other.patches)
+    {
+      const PlanarPatch &a = patches_.patches[label - 1], &b = patches_.patches[other_label - 1];
+      if (large * static_cast<int> (a.pixels.size ()) < piece.pixels || large * static_cast<int> (b.pixels.size ()) < other.pixels ||
+          a.normal.dot (b.normal) < parallel)
+        continue;
+      const Eigen::Vector3f across = b.centroid - a.centroid;
+      if (std::max (std::abs (a.normal.dot (across)), std::abs (b.normal.dot (across))) >
+          withNoise (parameters_.surface_tolerance, std::max (a.centroid.z (), b.centroid.z ())))
+        return (false);
+      goes_on = true;
+    }
+  return (goes_on);
 }
 
 bool
@@ -676,11 +679,10 @@ CompactClustering::joinPiece (Piece& object)
   // Neighbours first, then what lies behind a common neighbour.
   std::set<int> seen;
   std::vector<const Piece*> neighbors, beyond;
-  const auto collect = [&] (const std::map<int, PatchBorder>& borders, int smallest, std::vector<const Piece*>& pieces) {
+  const auto collect = [&] (const std::map<int, PatchBorder>& borders, std::vector<const Piece*>& pieces) {
     for (const auto& [label, border] : borders)
     {
-      if (object.member[label] || seen.count (label) || (parameters_.stay_off_support && isSupport (label)) ||
-          static_cast<int> (patches_.patches[label - 1].pixels.size ()) < smallest)
+      if (object.member[label] || seen.count (label) || (parameters_.stay_off_support && isSupport (label)))
         continue;
       const Piece& piece = pieceAt (label);
       seen.insert (piece.patches.begin (), piece.patches.end ());
@@ -688,7 +690,7 @@ CompactClustering::joinPiece (Piece& object)
         pieces.push_back (&piece);
     }
   };
-  collect (object.borders, 0, neighbors);
+  collect (object.borders, neighbors);
   const auto join = [&] (const Piece& piece) {
     for (const int label : piece.patches)
       if (!object.member[label])
@@ -696,13 +698,11 @@ CompactClustering::joinPiece (Piece& object)
     object.joined.push_back (&piece);
     return (true);
   };
-  const auto belong = [&] (const Piece& whole, const Piece& part) {
-    return ((parameters_.absorb_size > 0 && isFragmentOf (whole, part)) ||
-            (parameters_.join_handles && isHandleOf (whole, part)));
+  const auto isHandle = [&] (const Piece& piece) {
+    return (parameters_.join_handles && (isHandleOf (object, piece) || isHandleOf (piece, object)));
   };
   for (const Piece* piece : neighbors)
-    if (belong (object, *piece) || belong (*piece, object) ||
-        (parameters_.join_hollows && (isFloorOf (object, *piece) || isHollowOf (object, *piece, object) || isOtherWallOf (object, *piece))))
+    if (isHandle (*piece) || (parameters_.join_hollows && (isFloorOf (object, *piece) || isHollowOf (object, *piece))))
       return (join (*piece));
   if (parameters_.join_hollows)
   {
@@ -714,7 +714,7 @@ CompactClustering::joinPiece (Piece& object)
   if (!parameters_.join_occluded)
     return (false);
   for (const Piece* piece : neighbors)
-    collect (piece->borders, parameters_.absorb_size, beyond);
+    collect (piece->borders, beyond);
   for (const Piece* piece : beyond)
     if (isBehindSameOccluder (object, *piece))
       return (join (*piece));
@@ -724,12 +724,11 @@ CompactClustering::joinPiece (Piece& object)
 std::vector<std::uint8_t>
 CompactClustering::mouthOf (const Piece& object) const
 {
-  constexpr float certainly_hollow = 0.2f;
   std::vector<const Piece*> hollows;
-  if (object.hollowness > certainly_hollow)
+  if (object.hollowness > parameters_.certain_hollowness)
     hollows.push_back (&object);
   for (const Piece* piece : object.joined)
-    if (piece->hollowness > certainly_hollow)
+    if (piece->hollowness > parameters_.certain_hollowness)
       hollows.push_back (piece);
   if (hollows.empty ())
     return {};
@@ -787,8 +786,7 @@ CompactClustering::supportInMouth (const Piece& object) const
 bool
 CompactClustering::liesInMouth (const std::vector<std::uint8_t>& mouth, const Piece& object, const Piece& piece) const
 {
-  constexpr float outside = -0.2f;
-  if (mouth.empty () || piece.hollowness < outside || piece.pixels > object.pixels)
+  if (mouth.empty () || piece.hollowness < -parameters_.certain_hollowness || piece.pixels > object.pixels)
     return (false);
   int within = 0, before = 0;
   for (const int label : piece.patches)
@@ -796,7 +794,7 @@ CompactClustering::liesInMouth (const std::vector<std::uint8_t>& mouth, const Pi
       within += mouth[index];
   for (const auto& border : piece.borders)
     before += border.second.first_in_front;
-  return (within >= 0.8f * piece.pixels && before <= 0.1f * piece.perimeter);
+  return (within >= 0.8f * piece.pixels && before <= hiding_nothing * piece.perimeter);
 }
 
 float
@@ -839,7 +837,7 @@ CompactClustering::takeLargerObject (Piece& object)
   for (const auto& neighbor : neighbors)
   {
     const Piece& piece = pieceAt (neighbor.second);
-    if (piece.pixels < much_larger * object.pixels || !seen.insert (*std::min_element (piece.patches.begin (), piece.patches.end ())).second)
+    if (piece.pixels < parameters_.handle_size * object.pixels || !seen.insert (*std::min_element (piece.patches.begin (), piece.patches.end ())).second)
       continue;
     Piece larger = wholeObject ({piece.patches.front ()});
     if (2 * commonPixels (larger, object) > object.pixels)

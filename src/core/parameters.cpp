@@ -95,6 +95,8 @@ makeTable ()
     .number ("window_radius", &SaliencyParameters::window_radius, 1, 8, "pixels", "III-A, N(p)",
              "offsets +-1..radius without the centre row and column")
     .number ("levels", &SaliencyParameters::levels, 1, 8, "", "III-B, eq. 9", "levels of the pyramid")
+    .number ("saliency_columns", &SaliencyParameters::maximum_columns, 0, 16384, "pixels", "",
+             "of the finest level that counts: what the windows of larger ones see is noise; 0: all count")
     .number ("distance_scale", &SaliencyParameters::distance_scale, 0, 1e6, "1/m", "eq. 3",
              "units of the exponentials: 1000 is millimetres")
     .toggle ("convexity_gate", &SaliencyParameters::convexity_gate, "",
@@ -151,11 +153,17 @@ makeTable ()
     .number ("border_maximum_gap", &PatchGraphParameters::maximum_gap, 0, 100, "pixels", "",
              "borders are found across at most this many pixels without a patch")
     .number ("border_connection_distance", &PatchGraphParameters::connection_distance, 0, 1, "m", "",
-             "border points nearer than this are connected in 3D")
+             "border points nearer than this are connected in 3D ...")
+    .number ("border_connection_noise", &PatchGraphParameters::connection_noise, 0, 100, "", "",
+             "... plus this many standard deviations of the depth there")
     .number ("border_gap_slack", &PatchGraphParameters::gap_slack, 0, 100, "pixels", "",
              "added to that distance for every pixel of a gap, in pixel widths at its depth")
     .number ("border_sample_distance", &PatchGraphParameters::sample_distance, 1, 50, "pixels", "",
-             "convexity is judged between points this far inside either side");
+             "convexity is judged between points this far inside either side")
+    .number ("step_tolerance", &PatchGraphParameters::step_tolerance, 0, 1, "m", "",
+             "patches whose planes miss their common border by more are a step apart and not connected ...")
+    .number ("step_roughness", &PatchGraphParameters::step_roughness, 0, 100, "", "",
+             "... plus this many times how far their points lie off their planes; 0: off");
 
   rowsOf (table, "support", &P::support)
     .number ("support_minimum_area", &SupportParameters::minimum_area, 0, 100, "m^2", "", "of a supporting plane")
@@ -196,8 +204,18 @@ makeTable ()
              "patches that curve inwards together are one hollow, concave as their borders are")
     .number ("minimum_hollowness", &ClusteringParameters::minimum_hollowness, -1, 1, "", "",
              "mean cosine between the normals of a hollow's patch and the direction to its middle")
-    .number ("absorb_size", &ClusteringParameters::absorb_size, 0, 1000000, "pixels", "",
-             "smaller pieces join the neighbour they are connected to most; 0: off")
+    .number ("certain_hollowness", &ClusteringParameters::certain_hollowness, 0, 1, "", "",
+             "the same of what is the inside of a bowl for certain, its negative of an outside")
+    .number ("certain_size", &ClusteringParameters::certain_size, 1, 1000000, "pixels", "",
+             "the shape of fewer pixels says nothing")
+    .number ("surface_tolerance", &ClusteringParameters::surface_tolerance, 0, 1, "m", "",
+             "of the points of a rim from its plane, and of planes that go on behind an occluder from each other")
+    .number ("handle_width", &ClusteringParameters::handle_width, 0, 1, "m", "", "what is wider is no handle")
+    .number ("handle_size", &ClusteringParameters::handle_size, 1, 1000, "", "",
+             "nor is what is larger than this part (1 / n) of the object")
+    .number ("occluded_distance", &ClusteringParameters::occluded_distance, 0, 100, "m", "",
+             "pieces of an object behind an occluder are no farther apart")
+    .number ("occluded_color", &ClusteringParameters::occluded_color, 0, 1, "", "", "nor are their colours, chi-square")
     .toggle ("join_hollows", &ClusteringParameters::join_hollows, "",
              "join the inside of a hollow and the wall before it; off with -parts")
     .toggle ("join_handles", &ClusteringParameters::join_handles, "",

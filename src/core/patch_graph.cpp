@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_attention/core/patch_graph.h>
 #include <pcl_attention/core/skeleton.h>
+#include <pcl_attention/core/supporting_plane.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl_attention
 {
@@ -21,7 +25,8 @@ public:
     labels_ (labels),
     parameters_ (parameters),
     graph_ (graph),
-    focal_length_ (estimateFocalLength (cloud))
+    focal_length_ (estimateFocalLength (cloud)),
+    depth_noise_ (parameters.connection_noise > 0.0f ? estimateDepthNoise (cloud) : 0.0f)
   {}
 
   /** \param[in] step_column,step_row from a pixel to the next: (1, 0), (0, 1), (1, 1) or (-1, 1) */
@@ -82,16 +87,15 @@ private:
       addPair (gap_begin, index, distance);
   }
 
-  /** \brief The border of two labels, which most often is the one asked for before. */
-  PatchBorder&
-  borderOf (int first, int second)
+  /** \brief Turn to the border of two labels, which most often is the one before. */
+  void
+  turnTo (int first, int second)
   {
-    if (!border_ || names_ != std::make_pair (first, second))
-    {
-      names_ = {first, second};
-      border_ = &graph_.borders[names_];
-    }
-    return (*border_);
+    if (border_ && names_ == std::make_pair (first, second))
+      return;
+    names_ = {first, second};
+    border_ = &graph_.borders[names_];
+    points_ = &graph_.points[names_];
   }
 
   Eigen::Vector3f
@@ -138,19 +142,28 @@ private:
       std::swap (first, second);
       step = {-step.column, -step.row};
     }
-    PatchBorder& border = borderOf (labels_[first], labels_[second]);
+    turnTo (labels_[first], labels_[second]);
+    PatchBorder& border = *border_;
     ++border.pairs;
     const Eigen::Vector3f a = point (first), b = point (second);
     const float depth = std::max (a.z (), b.z ());
     const float slack = focal_length_ > 0.0f
                           ? parameters_.gap_slack * static_cast<float> (distance_in_pixels - 1) * depth / focal_length_ : 0.0f;
-    if ((b - a).norm () >= parameters_.connection_distance + slack && !continuesGrazing (first, second) &&
+    const float noise = parameters_.connection_noise * depth_noise_ * depth * depth;
+    if ((b - a).norm () >= parameters_.connection_distance + noise + slack && !continuesGrazing (first, second) &&
         !continuesGrazing (second, first))
     {
-      ++(a.norm () < b.norm () ? border.first_in_front : border.second_in_front);
+      const bool first_in_front = a.norm () < b.norm ();
+      ++(first_in_front ? border.first_in_front : border.second_in_front);
+      if (first_in_front)
+        points_->first_in_front.add (a);
+      else
+        points_->second_in_front.add (b);
       return;
     }
     ++border.connected;
+    points_->first_connected.add (a);
+    points_->second_connected.add (b);
     // Normals at the very border are mixed from both sides; one of them may be, on a strip along an edge.
     constexpr int deep = 2;
     int reached_first, reached_second;
@@ -171,13 +184,54 @@ private:
   const Image<int>& labels_;
   const PatchGraphParameters& parameters_;
   PatchGraph& graph_;
-  float focal_length_;
+  float focal_length_; /**< pixels */
+  float depth_noise_;  /**< standard deviation at 1 m, metres */
   Pixel step_{0, 0}; /**< from a pixel to the next along the lines */
   std::pair<int, int> names_;
   PatchBorder* border_{nullptr};
+  BorderPoints* points_{nullptr};
 };
 
 } // namespace
+
+void
+PointMoments::add (const Eigen::Vector3f& point)
+{
+  const Eigen::Vector3d p = point.cast<double> ();
+  ++count;
+  sum += p;
+  square += p * p.transpose ();
+}
+
+PointMoments&
+PointMoments::operator+= (const PointMoments& other)
+{
+  count += other.count;
+  sum += other.sum;
+  square += other.square;
+  return (*this);
+}
+
+std::pair<double, double>
+PointMoments::fromPlane (const Eigen::Vector3f& normal, const Eigen::Vector3f& on_plane) const
+{
+  if (count == 0)
+    return {0.0, 0.0};
+  const Eigen::Vector3d n = normal.cast<double> (), mean = sum / count;
+  const double variance = n.dot (square * n) / count - std::pow (n.dot (mean), 2);
+  return {n.dot (mean - on_plane.cast<double> ()), std::sqrt (std::max (0.0, variance))};
+}
+
+double
+PointMoments::flatness () const
+{
+  if (count == 0)
+    return (0.0);
+  const Eigen::Vector3d mean = sum / count;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (square / count - mean * mean.transpose (),
+                                                               Eigen::EigenvaluesOnly);
+  return (std::sqrt (std::max (0.0, solver.eigenvalues () (0))));
+}
 
 PatchBorder&
 PatchBorder::operator+= (const PatchBorder& other)
@@ -208,6 +262,15 @@ PatchGraph::border (int first, int second) const
   return (first < second ? found->second : found->second.reversed ());
 }
 
+BorderPoints
+PatchGraph::borderPoints (int first, int second) const
+{
+  const auto found = points.find (std::minmax (first, second));
+  if (found == points.end ())
+    return (BorderPoints ());
+  return (first < second ? found->second : found->second.reversed ());
+}
+
 PatchGraph
 buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels, int count,
                  const PatchGraphParameters& parameters)
@@ -228,6 +291,28 @@ buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const 
   for (auto& neighbors : graph.neighbors)
     std::sort (neighbors.begin (), neighbors.end ());
   return (graph);
+}
+
+void
+disconnectSteps (const PlanarPatches& patches, const std::vector<std::uint8_t>& excluded, const PatchGraphParameters& parameters,
+                 PatchGraph& graph)
+{
+  if (parameters.step_roughness <= 0.0f)
+    return;
+  for (auto& [labels, border] : graph.borders)
+  {
+    if (border.connected == 0 || (!excluded.empty () && (excluded[labels.first] || excluded[labels.second])))
+      continue;
+    const PlanarPatch &first = patches.patches[labels.first - 1], &second = patches.patches[labels.second - 1];
+    const BorderPoints& points = graph.points.at (labels);
+    // At a bend both lie behind the other's plane or both before it, at a step one before and one behind.
+    const auto [first_side, first_spread] = points.first_connected.fromPlane (second.normal, second.centroid);
+    const auto [second_side, second_spread] = points.second_connected.fromPlane (first.normal, first.centroid);
+    const double step = first_side * second_side < 0.0 ? std::min (std::abs (first_side), std::abs (second_side)) : 0.0;
+    const double miss = std::hypot (step, std::min (first_spread, second_spread));
+    if (miss > parameters.step_tolerance + parameters.step_roughness * std::max (first.rms, second.rms))
+      border.connected = 0;
+  }
 }
 
 } // namespace pcl_attention

@@ -107,8 +107,11 @@ AttentionParameters::paper ()
   AttentionParameters parameters;
   parameters.normals.method = NormalMethod::integral_image;
   parameters.saliency.window_radius = 5;
+  parameters.saliency.maximum_columns = 0;
   parameters.patches.method = PatchMethod::region_growing;
   parameters.patches.plane_model = PlaneModel::initial;
+  parameters.patches.minimum_size = 9;
+  parameters.patch_graph.step_roughness = 0.0f;
   parameters.clustering.initial_patches = InitialPatches::within_radius;
   parameters.clustering.color_constraint = ColorConstraint::nearer_object;
   parameters.clustering.compactness_threshold = 0.005f;
@@ -120,7 +123,6 @@ AttentionParameters::paper ()
   parameters.clustering.stay_off_support = false;
   parameters.clustering.color_convexity = 0.0f;
   parameters.clustering.recognize_hollows = false;
-  parameters.clustering.absorb_size = 0;
   parameters.clustering.visiblePieces ();
   parameters.segmentation.prefer_supported = false;
   parameters.segmentation.full_size = 0.0f;
@@ -275,7 +277,8 @@ AttentionPipeline::normals ()
 const std::vector<PyramidLevel>&
 AttentionPipeline::coarser ()
 {
-  const int count = std::max (parameters_.saliency.levels - 1, supportLevels (cloud_.width));
+  const int count = std::max (skippedLevels (cloud_.width, parameters_.saliency) + parameters_.saliency.levels - 1,
+                              supportLevels (cloud_.width));
   if (static_cast<int> (coarser_.size ()) < count)
     coarser_ = coarserLevels (cloud_, *normals_, count, threads_);
   return (coarser_);
@@ -360,6 +363,7 @@ AttentionPipeline::preparePatches ()
     support_patches_ = cutAlongPlanes (cloud_, *supporting_planes_, parameters_.patches, *patches_);
   patch_graph_ = buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
                                   parameters_.patch_graph);
+  disconnectSteps (*patches_, support_patches_, parameters_.patch_graph, *patch_graph_);
   if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
     over_support_ = findPointsOver (cloud_, supporting_planes_->front ());
   for (SupportingPlane& plane : *supporting_planes_)

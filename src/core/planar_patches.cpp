@@ -77,11 +77,14 @@ momentsOf (const OrganizedCloud& cloud, const pcl::Indices& pixels, const Eigen:
 } // namespace
 
 void
-reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, Image<int>& labels)
+reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPatches& patches)
 {
+  constexpr float farthest_deviation = 2.0f; // a curved patch is no plane
+  Image<int>& labels = patches.labels;
   std::vector<int> front;
   const auto bestNeighbor = [&] (int index) {
     const int column = index % cloud.width, row = index / cloud.width;
+    const Eigen::Vector3f point = pointAt (cloud, index);
     int best = 0;
     float nearest = maximum_distance * maximum_distance;
     for (const auto& offset : four_neighbors)
@@ -89,8 +92,11 @@ reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, Image<in
       const int c = column + offset[0], r = row + offset[1];
       if (!labels.contains (c, r) || !labels (c, r))
         continue;
-      const float distance = (pointAt (cloud, r * cloud.width + c) - pointAt (cloud, index)).squaredNorm ();
-      if (distance < nearest)
+      const float distance = (pointAt (cloud, r * cloud.width + c) - point).squaredNorm ();
+      if (distance >= nearest)
+        continue;
+      const PlanarPatch& patch = patches.patches[labels (c, r) - 1];
+      if (std::abs (patch.normal.dot (point - patch.centroid)) < maximum_distance + farthest_deviation * patch.rms)
       {
         nearest = distance;
         best = labels (c, r);
@@ -116,9 +122,10 @@ reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, Image<in
     for (const auto& assignment : assigned)
       labels[assignment.first] = assignment.second;
     if (assigned.empty ())
-      return;
+      break;
     front = std::move (rest);
   }
+  describePatches (cloud, patches);
 }
 
 void
@@ -136,9 +143,9 @@ extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, I
   result.labels = std::move (taken);
   (parameters.method == PatchMethod::grid_growing ? growOnGrid : growWithPcl) (cloud, normals, parameters, result.labels,
                                                                                last);
-  if (parameters.reassign_distance > 0.0f)
-    reassignLeftOvers (cloud, parameters.reassign_distance, result.labels);
   describePatches (cloud, result);
+  if (parameters.reassign_distance > 0.0f)
+    reassignLeftOvers (cloud, parameters.reassign_distance, result);
 }
 
 void

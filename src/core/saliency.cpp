@@ -55,22 +55,25 @@ winningAxis (const SymmetryMap& map, int column, int row, int reach)
   return (0);
 }
 
-/** \brief Paper eq. 9: the sum of all levels at the finest size. From the coarsest on the sum so far is brought to the size of the
+/** \brief Paper eq. 9: the sum of all levels at the cloud's size. From the coarsest on the sum so far is brought to the size of the
   * next finer level, which is the same as bringing each to the finest, and is done once for all. */
 void
 acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& cloud, int threads, SaliencyMaps& maps)
 {
   Image<float>& sum = maps.saliency;
-  for (auto level = maps.levels.rbegin (); level != maps.levels.rend (); ++level)
+  for (int halvings = maps.skipped + parameters.levels - 1; halvings >= 0; --halvings)
   {
-    const Image<float>& symmetry = level->symmetry;
-    if (level == maps.levels.rbegin ())
-      sum.assign (symmetry.width, symmetry.height, 0.0f);
+    const int width = halvedSize (cloud.width, halvings), height = halvedSize (cloud.height, halvings);
+    if (halvings == maps.skipped + parameters.levels - 1)
+      sum.assign (width, height, 0.0f);
     else
-      sum = doubleSize (sum, symmetry.width, symmetry.height, threads);
-    const float scale = scaleOf (parameters, *level);
-    for (std::size_t index = 0; index < symmetry.size (); ++index)
-      sum[index] += scale * symmetry[index];
+      sum = doubleSize (sum, width, height, threads);
+    if (halvings < maps.skipped)
+      continue;
+    const SymmetryMap& level = maps.levels[halvings - maps.skipped];
+    const float scale = scaleOf (parameters, level);
+    for (std::size_t index = 0; index < sum.size (); ++index)
+      sum[index] += scale * level.symmetry[index];
   }
   for (std::size_t index = 0; index < cloud.size (); ++index)
     sum[index] = cloud.valid[index] ? sum[index] : 0.0f;
@@ -82,16 +85,27 @@ acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& clou
 
 } // namespace
 
+int
+skippedLevels (int width, const SaliencyParameters& parameters)
+{
+  int skipped = 0;
+  while (parameters.maximum_columns > 0 && halvedSize (width, skipped) > parameters.maximum_columns)
+    ++skipped;
+  return (skipped);
+}
+
 void
 computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const std::vector<PyramidLevel>& coarser,
                  const SaliencyParameters& parameters, int threads, SaliencyMaps& maps)
 {
   maps.levels.resize (parameters.levels);
+  maps.skipped = skippedLevels (cloud.width, parameters);
   for (int level = 0; level < parameters.levels; ++level)
   {
     SymmetryMap& map = maps.levels[level];
-    computeSymmetry (level == 0 ? cloud : coarser[level - 1].cloud, level == 0 ? normals : coarser[level - 1].normals,
-                     parameters, threads, map);
+    const int halvings = maps.skipped + level;
+    computeSymmetry (halvings == 0 ? cloud : coarser[halvings - 1].cloud,
+                     halvings == 0 ? normals : coarser[halvings - 1].normals, parameters, threads, map);
     cleanLevel (parameters, threads, map);
   }
   acrossScaleSum (parameters, cloud, threads, maps);
@@ -101,7 +115,8 @@ void
 computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const SaliencyParameters& parameters, int threads,
                  SaliencyMaps& maps)
 {
-  computeSaliency (cloud, normals, coarserLevels (cloud, normals, parameters.levels - 1, threads), parameters, threads, maps);
+  const int count = skippedLevels (cloud.width, parameters) + parameters.levels - 1;
+  computeSaliency (cloud, normals, coarserLevels (cloud, normals, count, threads), parameters, threads, maps);
 }
 
 WinningSymmetry
@@ -113,8 +128,8 @@ findWinningSymmetry (const SaliencyMaps& maps, const SaliencyParameters& paramet
   for (std::size_t level = 0; level < maps.levels.size (); ++level)
   {
     Image<float> contribution = maps.levels[level].symmetry;
-    for (std::size_t finer = level; finer-- > 0;)
-      contribution = doubleSize (contribution, maps.levels[finer].symmetry.width, maps.levels[finer].symmetry.height, 1);
+    for (int finer = maps.skipped + static_cast<int> (level) - 1; finer >= 0; --finer)
+      contribution = doubleSize (contribution, halvedSize (width, finer), halvedSize (height, finer), 1);
     const float scale = scaleOf (parameters, maps.levels[level]);
     for (std::size_t index = 0; index < best.size (); ++index)
       if (maps.saliency[index] > 0.0f && scale * contribution[index] > best[index])
@@ -126,8 +141,11 @@ findWinningSymmetry (const SaliencyMaps& maps, const SaliencyParameters& paramet
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column)
       if (const int level = winning.level (column, row))
+      {
+        const int halvings = maps.skipped + level - 1;
         winning.plane (column, row) =
-          winningAxis (maps.levels[level - 1], column >> (level - 1), row >> (level - 1), parameters.blur_radius + 1);
+          winningAxis (maps.levels[level - 1], column >> halvings, row >> halvings, parameters.blur_radius + 1);
+      }
   return (winning);
 }
 

@@ -289,6 +289,7 @@ coarsePatches (const OrganizedCloud& cloud, int scale, float noise, NormalImage&
   normal_parameters.depth_gate = std::max (static_cast<float> (scale) * normal_parameters.depth_gate, 6.0f * deviation);
   estimateNormals (cloud, normal_parameters, 1, normals);
   PatchParameters parameters;
+  parameters.minimum_size = 9; // what is a fragment at full size may be a table far away here
   parameters.maximum_distance += 3.0f * deviation;
   parameters.maximum_step = std::max (static_cast<float> (scale) * parameters.maximum_step, 6.0f * deviation);
   extractPlanarPatches (cloud, normals, parameters, patches);
@@ -403,6 +404,12 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
     const Footprint footprint (coarse, patch.pixels, normal);
     const std::vector<OutlineEdge> near_outline = footprint.edges (0.05f), far_outline = footprint.edges (0.15f);
     const double pixels = scale * scale; // of the scene itself to one of these
+    // The floor under a box faces as its top does; a wall that goes on down behind a table does not.
+    constexpr float facing_alike = 0.7f;
+    const auto facesAlike = [&] (std::size_t index) {
+      return (coarse_normals.valid[index] &&
+              normal.dot (Eigen::Vector3f (coarse_normals.x[index], coarse_normals.y[index], coarse_normals.z[index])) > facing_alike);
+    };
     double over = 0.0, below = 0.0;
     for (std::size_t index = 0; index < coarse.size (); ++index)
     {
@@ -413,7 +420,7 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
       const float clear = 0.02f + parameters.noise_tolerance * noise * point.z () * point.z ();
       if (height > clear && height < 0.4f && footprint.contains (point, near_outline))
         over += pixels;
-      else if (height < -clear && height > -0.3f && footprint.contains (point, far_outline))
+      else if (height < -clear && height > -0.3f && facesAlike (index) && footprint.contains (point, far_outline))
         below += pixels;
     }
     plane.confidence = static_cast<float> ((over + 100.0) / (over + below + 100.0));
@@ -542,12 +549,13 @@ cutAlongPlanes (const OrganizedCloud& cloud, const std::vector<SupportingPlane>&
         for (const pcl::index_t index : piece)
           labels[index] = -1;
     }
+  const bool has_left_overs = std::find (labels.data.begin (), labels.data.end (), -1) != labels.data.end ();
   for (int& label : labels.data)
     label = std::max (label, 0);
-  if (parameters.reassign_distance > 0.0f)
-    reassignLeftOvers (cloud, parameters.reassign_distance, labels);
   patches.labels = std::move (labels);
   describePatches (cloud, patches);
+  if (has_left_overs && parameters.reassign_distance > 0.0f)
+    reassignLeftOvers (cloud, parameters.reassign_distance, patches);
   is_background.resize (patches.patches.size () + 1, 0);
   return (is_background);
 }

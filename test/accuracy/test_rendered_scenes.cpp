@@ -71,6 +71,65 @@ TEST (RenderedScenes, objectsThatStandAloneAreFoundWhole)
     expectObjects (SceneKind::separate, seed);
 }
 
+/** \brief An upright object on the table of an empty scene. */
+SceneObject
+standing (SceneShape shape, const Eigen::Vector3d& size, double x, double y, const Eigen::Vector3d& color, std::uint32_t label)
+{
+  SceneObject object;
+  object.shape = shape;
+  object.size = size;
+  object.pose.translation () << x, y, 0.5 * size.z ();
+  object.material.color = color;
+  object.label = label;
+  return (object);
+}
+
+/** \brief F of every object of a table with these, seen by a sensor with noise. */
+std::vector<double>
+scoresOf (const std::vector<SceneObject>& objects, double noise, const AttentionParameters& parameters = AttentionParameters ())
+{
+  SceneDescription scene = makeScene (SceneKind::empty_table, 3);
+  scene.objects = objects;
+  scene.noise.level = noise;
+  std::vector<double> scores;
+  for (const RegionScore& region : test::score (renderScene (scene, 1), parameters, GroundTruthKind::objects).regions)
+    scores.push_back (region.first.f);
+  return (scores);
+}
+
+TEST (RenderedScenes, whatStandsBeforeABowlIsNotItsWall)
+{
+  // The bottle hides the bowl's own wall, and its outline is no part of the rim.
+  const Eigen::Vector3d white (0.9, 0.9, 0.9);
+  const std::vector<SceneObject> scene{standing (SceneShape::bowl, {0.22, 0.22, 0.08}, 0.0, 0.05, white, 20),
+                                       standing (SceneShape::cylinder, {0.08, 0.08, 0.2}, 0.06, -0.12, white, 30)};
+  for (const double noise : {0.0, 1.0, 2.0})
+    for (const double score : scoresOf (scene, noise))
+      EXPECT_GT (score, 0.9) << "noise " << noise;
+  AttentionParameters anything_is_a_rim;
+  anything_is_a_rim.clustering.surface_tolerance = 1.0f;
+  const std::vector<double> merged = scoresOf (scene, 1.0, anything_is_a_rim);
+  EXPECT_LT (*std::min_element (merged.begin (), merged.end ()), 0.9) << "the scene tells nothing";
+}
+
+TEST (RenderedScenes, aBoxBehindAPostIsOneAndTwoBoxesAreTwo)
+{
+  const Eigen::Vector3d red (0.8, 0.13, 0.12), blue (0.12, 0.28, 0.66);
+  const SceneObject post = standing (SceneShape::box, {0.04, 0.04, 0.22}, 0.0, -0.05, blue, 20);
+  for (const double noise : {0.0, 1.0, 2.5})
+  {
+    const std::vector<double> one = scoresOf ({post, standing (SceneShape::box, {0.24, 0.05, 0.08}, 0.0, 0.04, red, 30)}, noise);
+    ASSERT_EQ (one.size (), 2u);
+    EXPECT_GT (one[1], 0.9) << "noise " << noise;
+    // Alike, but one stands 4 cm farther back.
+    const std::vector<double> two = scoresOf ({post, standing (SceneShape::box, {0.10, 0.05, 0.08}, -0.07, 0.04, red, 30),
+                                               standing (SceneShape::box, {0.10, 0.05, 0.08}, 0.07, 0.08, red, 40)}, noise);
+    ASSERT_EQ (two.size (), 3u);
+    EXPECT_GT (two[1], 0.9) << "noise " << noise;
+    EXPECT_GT (two[2], 0.9) << "noise " << noise;
+  }
+}
+
 TEST (RenderedScenes, whatIsAskedForComesFirst)
 {
   const std::vector<AskedFor> kinds{AskedFor::map, AskedFor::region, AskedFor::exemplar, AskedFor::color, AskedFor::distance};

@@ -231,13 +231,19 @@ TEST_F (Segmentation, IsTheChainOfTheFourClasses)
   std::vector<pcl::AttentionPoint> points;
   ASSERT_TRUE (point_extraction.extract (points));
 
+  // Given patches are cut along the table's plane, others are grown beside it: what is small is left over at another time.
+  pcl_attention::AttentionParameters parameters = pointByPoint ();
+  parameters.patches.minimum_size = 9;
+
   pcl::PlanarPatchExtraction<PointT> patch_extraction;
   patch_extraction.setInputCloud (sceneCloud ());
+  patch_extraction.setParameters (parameters.patches);
   std::vector<pcl::PointIndices> patches;
   ASSERT_TRUE (patch_extraction.extract (patches));
 
   pcl::CompactPatchClustering<PointT> clustering;
   clustering.setInputCloud (sceneCloud ());
+  clustering.setPatchParameters (parameters.patches);
   clustering.setPatches (
       pcl::PointCloud<pcl::Label>::Ptr (new pcl::PointCloud<pcl::Label> (patch_extraction.getLabels ())));
   clustering.setAttentionPoints (points);
@@ -245,7 +251,7 @@ TEST_F (Segmentation, IsTheChainOfTheFourClasses)
   errorsOf ([&] { ASSERT_TRUE (clustering.segment (by_hand)); });
 
   // ... and at once.
-  segmentation.setParameters (pointByPoint ());
+  segmentation.setParameters (parameters);
   const std::vector<pcl::AttentionSegment> at_once = segment ();
   pcl_attention::AttentionPipeline& pipeline = *segmentation.getPipeline ();
   ASSERT_EQ (pipeline.saliency ().saliency.size (), saliency->size ());

@@ -106,6 +106,7 @@ TEST_F (SymmetrySaliency, SetsEveryParameter)
 {
   estimation.setWindowRadius (2);
   estimation.setNumberOfLevels (3);
+  estimation.setMaximumColumns (200);
   estimation.setDistanceScale (500.0f);
   estimation.setConvexityGate (false);
   estimation.setBlurRadius (1);
@@ -115,6 +116,7 @@ TEST_F (SymmetrySaliency, SetsEveryParameter)
   const pcl_attention::SaliencyParameters& parameters = estimation.getParameters ();
   EXPECT_EQ (parameters.window_radius, 2);
   EXPECT_EQ (parameters.levels, 3);
+  EXPECT_EQ (parameters.maximum_columns, 200);
   EXPECT_EQ (parameters.distance_scale, 500.0f);
   EXPECT_FALSE (parameters.convexity_gate);
   EXPECT_EQ (parameters.blur_radius, 1);
@@ -123,6 +125,7 @@ TEST_F (SymmetrySaliency, SetsEveryParameter)
   EXPECT_EQ (parameters.saliency_floor, 0.1f);
   EXPECT_EQ (estimation.getWindowRadius (), 2);
   EXPECT_EQ (estimation.getNumberOfLevels (), 3);
+  EXPECT_EQ (estimation.getMaximumColumns (), 200);
   EXPECT_EQ (estimation.getDistanceScale (), 500.0f);
   EXPECT_FALSE (estimation.getConvexityGate ());
   EXPECT_EQ (estimation.getBlurRadius (), 1);
@@ -145,6 +148,7 @@ TEST_F (SymmetrySaliency, TakesEffectOfItsParameters)
   const pcl_attention::SaliencyParameters defaults;
   const std::vector<std::function<void (pcl_attention::SaliencyParameters&)>> changes{
       [] (auto& p) { p.window_radius = 4; },        [] (auto& p) { p.levels = 2; },
+      [] (auto& p) { p.maximum_columns = 160; },
       [] (auto& p) { p.distance_scale = 10.0f; },   [] (auto& p) { p.convexity_gate = false; },
       [] (auto& p) { p.blur_radius = 0; },          [] (auto& p) { p.level_threshold = 0.5f; },
       [] (auto& p) { p.normalize_levels = false; }, [] (auto& p) { p.saliency_floor = 1.0f; }};

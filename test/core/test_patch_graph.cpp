@@ -296,6 +296,149 @@ TEST (PatchGraph, AGapLeavesRoomForThePixelsItHides)
   EXPECT_EQ (graphOf (frame, image, 2, parameters).border (1, 2).connected, 0);
 }
 
+TEST (PatchGraph, NoiseConnectsWhatItParts)
+{
+  // A step of 10 mm; a row of 1 m in which every other point is 5 mm nearer: sigma = 5 mm * 1.4826 * sqrt (4 / 6), about.
+  const auto connected = [] (double ripple, float connection_noise) {
+    Frame frame = relief (60, 40, [=] (double column) { return (column < 30 ? 1.0 : 1.01); });
+    std::mt19937 random (1);
+    std::normal_distribution<double> gauss (0.0, ripple);
+    for (std::size_t index = 0; index < frame.cloud.size (); ++index)
+      frame.set (index, frame.point (index) * (1.0 + gauss (random)), {0, 0, -1});
+    Image<int> image (60, 40, 1);
+    for (int row = 0; row < 40; ++row)
+      for (int column = 30; column < 60; ++column)
+        image (column, row) = 2;
+    PatchGraphParameters parameters;
+    parameters.connection_noise = connection_noise;
+    return (graphOf (frame, image, 2, parameters).border (1, 2).connectedShare ());
+  };
+  EXPECT_EQ (connected (1e-5, 3.0f), 0.0f) << "10 mm are more than 6 mm";
+  EXPECT_LT (connected (0.005, 0.0f), 0.4f);
+  EXPECT_GT (connected (0.005, 3.0f), 0.9f) << "6 mm and three times 5 mm";
+}
+
+TEST (PatchGraph, KnowsThePointsOnEitherSideOfABorder)
+{
+  const Image<int> image = labels ({"12", "12"});
+  PatchGraphParameters parameters;
+  // Level and connected: two pairs along the rows, one along either diagonal.
+  Frame frame = flat (2, 2);
+  BorderPoints points = graphOf (frame, image, 2, parameters).borderPoints (1, 2);
+  EXPECT_EQ (points.first_connected.count, 4);
+  EXPECT_EQ (points.second_connected.count, 4);
+  EXPECT_EQ (points.first_in_front.count + points.second_in_front.count, 0);
+  EXPECT_NEAR (points.first_connected.sum.x (), -0.004, 1e-9) << "four times the column at x = -1 mm";
+  EXPECT_NEAR (points.second_connected.sum.x (), 0.0, 1e-9);
+  // The second one is a step nearer, and in front.
+  frame = relief (2, 2, [] (double column) { return (column < 0.5 ? 1.0 : 0.9); });
+  points = graphOf (frame, image, 2, parameters).borderPoints (1, 2);
+  EXPECT_EQ (points.first_connected.count, 0);
+  EXPECT_EQ (points.first_in_front.count, 0);
+  EXPECT_EQ (points.second_in_front.count, 4);
+  EXPECT_NEAR (points.second_in_front.sum.z (), 4 * 0.9, 1e-6);
+  EXPECT_EQ (graphOf (frame, image, 2, parameters).borderPoints (2, 1).first_in_front.count, 4) << "seen from the other side";
+  EXPECT_EQ (PatchGraph ().borderPoints (1, 2).first_connected.count, 0);
+}
+
+TEST (PointMoments, TellHowFarPointsLieOffAPlane)
+{
+  PointMoments moments;
+  EXPECT_EQ (moments.flatness (), 0.0);
+  EXPECT_EQ (moments.fromPlane ({0, 0, 1}, {0, 0, 0}), std::make_pair (0.0, 0.0));
+  // Two above and two below the plane z = 1, at the corners of a square.
+  for (const Eigen::Vector3f& point : {Eigen::Vector3f (0, 0, 1.01f), {1, 1, 1.01f}, {1, 0, 0.99f}, {0, 1, 0.99f}})
+    moments.add (point);
+  EXPECT_NEAR (moments.flatness (), 0.01, 1e-6);
+  const auto [distance, spread] = moments.fromPlane ({0, 0, -1}, {5, 5, 1.5f});
+  EXPECT_NEAR (distance, 0.5, 1e-6);
+  EXPECT_NEAR (spread, 0.01, 1e-6);
+  PointMoments twice = moments;
+  twice += moments;
+  EXPECT_EQ (twice.count, 8);
+  EXPECT_NEAR (twice.flatness (), moments.flatness (), 1e-9);
+}
+
+namespace
+{
+
+/** \brief Whether two halves of 40 by 30 pixels of 1 mm stay connected. \param[in] depth_left,depth_right of column and row */
+template <typename Left, typename Right>
+bool
+staysConnected (const Left& depth_left, const Right& depth_right, const PatchGraphParameters& parameters = PatchGraphParameters (),
+                const std::vector<std::uint8_t>& excluded = {})
+{
+  Frame frame = shapes::emptyFrame (80, 30);
+  PlanarPatches patches;
+  patches.labels.assign (80, 30, 1);
+  for (int row = 0; row < 30; ++row)
+    for (int column = 0; column < 80; ++column)
+    {
+      if (column >= 40)
+        patches.labels (column, row) = 2;
+      const double depth = column < 40 ? depth_left (column - 39.5, row - 14.5) : depth_right (column - 39.5, row - 14.5);
+      frame.set (frame.index (column, row), {0.001 * (column - 39.5), 0.001 * (row - 14.5), depth}, {0, 0, -1});
+    }
+  describePatches (frame.cloud, patches);
+  PatchGraph graph = graphOf (frame, patches.labels, 2, parameters);
+  EXPECT_GT (graph.border (1, 2).connectedShare (), 0.9f) << "before";
+  disconnectSteps (patches, excluded, parameters, graph);
+  return (graph.border (1, 2).connected > 0);
+}
+
+const auto level = [] (double, double) { return (1.0); };
+
+} // namespace
+
+TEST (DisconnectSteps, APlaneThatGoesOnStaysConnected)
+{
+  EXPECT_TRUE (staysConnected (level, level));
+}
+
+TEST (DisconnectSteps, OneSideSetBackIsApart)
+{
+  EXPECT_FALSE (staysConnected (level, [] (double, double) { return (1.004); })) << "4 mm behind";
+  EXPECT_FALSE (staysConnected ([] (double, double) { return (1.004); }, level));
+  EXPECT_TRUE (staysConnected (level, [] (double, double) { return (1.001); })) << "1 mm is within the tolerance of 2 mm";
+  PatchGraphParameters parameters;
+  parameters.step_tolerance = 0.0005f;
+  EXPECT_FALSE (staysConnected (level, [] (double, double) { return (1.001); }, parameters));
+}
+
+TEST (DisconnectSteps, AnEdgeOrACreaseIsNoStep)
+{
+  const auto falls = [] (double column, double) { return (1.0 + 0.001 * std::abs (column)); };
+  const auto rises = [] (double column, double) { return (1.0 - 0.001 * std::abs (column)); };
+  EXPECT_TRUE (staysConnected (falls, falls)) << "45 degrees to either side";
+  EXPECT_TRUE (staysConnected (rises, rises));
+  EXPECT_TRUE (staysConnected (level, falls));
+}
+
+TEST (DisconnectSteps, OneSideTurnedAboutTheLineAcrossTheBorderIsApart)
+{
+  // By 20 degrees: the planes meet in one point of the border of 30 mm; the mean distance is 0, its deviation 3 mm.
+  EXPECT_FALSE (staysConnected (level, [] (double, double row) { return (1.0 + 0.00036 * row); }));
+  EXPECT_TRUE (staysConnected (level, [] (double, double row) { return (1.0 + 0.0001 * row); })) << "by 6 degrees: 0.9 mm";
+}
+
+TEST (DisconnectSteps, RoughSurfacesNeedALargerStep)
+{
+  // Waves of 3 mm (rms) across the border: 2 mm + 3 mm.
+  const auto rough = [] (double column, double row) { return (1.0 + 0.0042 * std::sin (0.5 * column) * std::sin (0.9 * row)); };
+  EXPECT_TRUE (staysConnected (rough, [&] (double column, double row) { return (rough (column, row) + 0.0025); }));
+}
+
+TEST (DisconnectSteps, IsOffWithoutRoughnessAndForExcludedPatches)
+{
+  const auto behind = [] (double, double) { return (1.004); };
+  PatchGraphParameters parameters;
+  parameters.step_roughness = 0.0f;
+  EXPECT_TRUE (staysConnected (level, behind, parameters));
+  EXPECT_TRUE (staysConnected (level, behind, PatchGraphParameters (), {0, 0, 1}));
+  EXPECT_TRUE (staysConnected (level, behind, PatchGraphParameters (), {0, 1, 0}));
+  EXPECT_FALSE (staysConnected (level, behind, PatchGraphParameters (), {0, 0, 0}));
+}
+
 TEST (PatchGraph, OfNothingIsEmpty)
 {
   const PatchGraph graph = graphOf (flat (5, 4), Image<int> (5, 4, 0), 0);

@@ -74,7 +74,6 @@ segmentsOfStrips (int left_columns)
   AttentionParameters parameters;
   parameters.clustering.minimum_convexity = -2.0f;
   parameters.clustering.compactness_noise = 0.0f;
-  parameters.clustering.absorb_size = 0;
   parameters.clustering.join_hollows = parameters.clustering.join_handles = parameters.clustering.join_occluded = false;
   parameters.clustering.stay_off_support = false;
   parameters.segmentation.coverage = false;

@@ -329,6 +329,7 @@ TEST (PlanarPatches, PointsBeyondTheDistanceFromThePlaneAreNotTaken)
   PatchParameters parameters;
   parameters.plane_model = PlaneModel::initial;
   parameters.maximum_distance = 0.00825f;
+  parameters.minimum_size = 9;
   parameters.reassign_distance = 0.0f;
   const PlanarPatches patches = patchesOf (frame, parameters);
   EXPECT_EQ (lengthOf (patches, 1), 17);
@@ -412,6 +413,18 @@ TEST (PlanarPatches, LeftOversJoinTheNearestNeighbourWithinReach)
     EXPECT_EQ (joined.labels (32, row), joined.labels (63, row));
   }
   expectConsistent (frame, joined);
+  // Points near their neighbours, but off the planes, belong to neither.
+  Frame bulge = frame;
+  for (int row = 0; row < 48; ++row)
+    for (int column = 30; column < 34; ++column)
+    {
+      const std::size_t index = frame.index (column, row);
+      bulge.set (index, frame.point (index) + Eigen::Vector3d (0, 0, column == 30 || column == 33 ? -0.009 : -0.016),
+                 frame.normal (index));
+    }
+  parameters.reassign_distance = 0.0105f;
+  EXPECT_EQ (patchesOf (bulge, parameters).labels (30, 20), joined.labels (0, 20)) << "9 mm off";
+  EXPECT_EQ (patchesOf (bulge, parameters).labels (31, 20), 0) << "7 mm from its neighbour, but 16 mm off the plane";
   // The points are 1.5 mm apart.
   parameters.reassign_distance = 0.001f;
   EXPECT_EQ (patchesOf (frame, parameters).labels (31, 20), 0);
@@ -435,6 +448,7 @@ TEST (PlanarPatches, AreThoseOfPclsRegionGrowing)
           frame.normals.curvature[order[rank]] = static_cast<float> (rank) * 1e-6f;
         PatchParameters parameters;
         parameters.plane_model = model;
+        parameters.minimum_size = 9;
         const PlanarPatches on_grid = patchesOf (frame, parameters);
         parameters.method = PatchMethod::region_growing;
         const PlanarPatches by_pcl = patchesOf (frame, parameters);
@@ -450,7 +464,9 @@ TEST (PlanarPatches, OfEqualCurvatureStartAtTheFirstPoint)
   for (int row = 0; row < 6; ++row)
     for (int column = 0; column < 20; ++column)
       frame.set (frame.index (column, row), {0.001 * column, 0.001 * row, column < 10 ? 1.0 : 1.5}, {0, 0, -1});
-  const PlanarPatches patches = patchesOf (frame);
+  PatchParameters parameters;
+  parameters.minimum_size = 9;
+  const PlanarPatches patches = patchesOf (frame, parameters);
   ASSERT_EQ (patches.patches.size (), 2u);
   EXPECT_EQ (patches.labels (0, 0), 1);
   EXPECT_EQ (patches.labels (19, 5), 2);

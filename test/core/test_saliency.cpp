@@ -29,13 +29,20 @@ naiveSum (const Frame& frame, const SaliencyParameters& parameters, double* maxi
 {
   std::vector<Image<double>> levels;
   Frame level = frame;
-  for (int l = 0; l < parameters.levels; ++l)
+  int skipped = 0; // they count nothing
+  for (int l = 0; l < parameters.levels + skipped; ++l)
   {
     if (l > 0)
     {
       Frame half;
       halve (level.cloud, level.normals, 1, half.cloud, half.normals);
       level = half;
+    }
+    if (parameters.maximum_columns > 0 && level.cloud.width > parameters.maximum_columns)
+    {
+      levels.emplace_back (level.cloud.width, level.cloud.height, 0.0);
+      ++skipped;
+      continue;
     }
     SymmetryMap map;
     computeSymmetry (level.cloud, level.normals, parameters, 1, map);
@@ -65,13 +72,15 @@ TEST (Saliency, IsTheAcrossScaleSumOfItsLevels)
   // Above the floor nothing is mere rounding, which would be divided by its own maximum.
   SaliencyParameters base;
   base.saliency_floor = 1e-6f;
-  std::vector<SaliencyParameters> settings (7, base);
+  std::vector<SaliencyParameters> settings (9, base);
   settings[1].levels = 1;
   settings[2].levels = 6;
   settings[3].blur_radius = 0;
   settings[4].normalize_levels = false;
   settings[5].level_threshold = 0.1f;
   settings[6].window_radius = 5;
+  settings[7].maximum_columns = 40; // one or two are left out
+  settings[8].maximum_columns = 20; // two or three
   for (const Frame& frame : frames ())
     for (std::size_t k = 0; k < settings.size (); ++k)
     {

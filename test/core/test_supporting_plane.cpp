@@ -129,6 +129,18 @@ TEST (SupportingPlanes, AShelfAtTheBorderIsTooSmallForAWall)
   EXPECT_NEAR (planes.front ().coefficients[3], 1.0f, 1e-4f) << "the table under it";
 }
 
+TEST (SupportingPlanes, AWallBehindATableIsNotWhatTheTableStandsOn)
+{
+  // A small bowl on a table, whose far edge the wall is seen beneath.
+  const shapes::Frame scene = shapes::rendered (SceneKind::single_bowl, 1, 640, 480, 0.0);
+  const std::vector<PyramidLevel> coarser = coarserLevels (scene.cloud, scene.normals, supportLevels (640), 1);
+  const std::vector<SupportingPlane> planes = findSupportingPlanes (scene.cloud, scene.normals, coarser, SupportParameters ());
+  ASSERT_EQ (planes.size (), 2u);
+  EXPECT_TRUE (planes.front ().supports_objects);
+  EXPECT_LT (planes.front ().coefficients[1], -0.5f) << "the table faces up, which is -y";
+  EXPECT_GT (planes.front ().confidence, 0.9f);
+}
+
 TEST (PointsOver, AreAboveThePlaneUpToHalfAMetreWithTheirFeetOnIt)
 {
   Step scene (1.0, middle, 1.0);

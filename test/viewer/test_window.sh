@@ -176,6 +176,7 @@ case $2 in
     close_viewer
     ;;
   slider)
+    make_scene scene.pcd -seed 1 -width 320 -height 240 -noise 0 # noise would widen what the slider narrows
     "$segment" scene.pcd -output_dir expected > /dev/null
     "$segment" scene.pcd -output_dir tight -compactness_threshold 0 > /dev/null
     ! cmp -s expected/scene/segments.json tight/scene/segments.json || fail "the slider would change nothing"

@@ -62,6 +62,18 @@ public:
     return (getParameters ().levels);
   }
 
+  /** \brief Columns of the finest level that counts: 0 (no limit)..16384 pixels. */
+  void
+  setMaximumColumns (int columns)
+  {
+    settings ().maximum_columns = columns;
+  }
+  int
+  getMaximumColumns () const
+  {
+    return (getParameters ().maximum_columns);
+  }
+
   /** \brief Units of the exponentials: 0..1e6 per metre, 1000 being millimetres (paper eq. 3). */
   void
   setDistanceScale (float scale)

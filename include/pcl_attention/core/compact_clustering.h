@@ -8,7 +8,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -53,7 +52,14 @@ struct ClusteringParameters
   bool recognize_hollows{true};       /**< patches that curve inwards together are the inside of one hollow, concave as their
                                         borders are */
   float minimum_hollowness{0.01f};    /**< mean cosine between the normals of such a patch and the direction to its middle, -1..1 */
-  int absorb_size{150};               /**< smaller pieces join the neighbour they are connected to most, pixels; 0: off */
+  float certain_hollowness{0.15f};    /**< the same of what is the inside of a bowl or mug for certain, its negative of an outside */
+  int certain_size{200};              /**< the shape of fewer pixels says nothing */
+  float surface_tolerance{0.01f};     /**< how far the points of one rim may lie off its plane (rms), and planes that go on behind an
+                                        occluder off each other, metres; compactness_noise is added */
+  float handle_width{0.02f};          /**< what is wider is no handle, metres */
+  int handle_size{4};                 /**< nor is what is larger than this part (1 / n) of the object */
+  float occluded_distance{0.3f};      /**< pieces of an object behind an occluder are no farther apart, metres ... */
+  float occluded_color{0.6f};         /**< ... and their colours no farther, chi-square, 0..1 */
   bool join_hollows{true};            /**< join the inside of a hollow and the wall before it; off with -parts */
   bool join_handles{true};            /**< join a thin piece that hangs on an object and on nothing else; off with -parts */
   bool join_occluded{true};           /**< join pieces of one object that an occluder separates; off with -parts */
@@ -62,7 +68,7 @@ struct ClusteringParameters
   bool
   joinsPieces () const
   {
-    return (join_hollows || join_handles || join_occluded || absorb_size > 0);
+    return (join_hollows || join_handles || join_occluded);
   }
 
   /** \brief Switch off what joins visible pieces into whole objects (`-parts`). */
@@ -70,8 +76,7 @@ struct ClusteringParameters
   visiblePieces ()
   {
     join_hollows = join_handles = join_occluded = false;
-    minimum_hollowness = 0.05f; // the flat floor of a pot is a piece of its own
-    absorb_size = std::min (absorb_size, 80);
+    minimum_hollowness = 0.03f; // the flat floor of a pot is a piece of its own
   }
 };
 
@@ -190,14 +195,16 @@ private:
   GrowthStep
   tryPatch (int label, const PatchBorder& border, Piece& piece, ObjectHull& united);
 
-  /** \brief Convexity of a patch's border to a piece, from the patches that are no fragments where there are such: a fragment in a
-    * crease has normals of both sides and says nothing about it. */
-  float
-  borderConvexity (int label, const PatchBorder& border, const Piece& piece) const;
-
   /** \brief kappa of some patches (paper eq. 13), to the hidden faces if they are hollow. */
   float
   compactnessOf (const std::vector<int>& labels, const VisibleHull& hull, bool hollow) const;
+
+  /** \brief A length plus what noise adds to it at a depth, see \ref ClusteringParameters::compactness_noise. */
+  float
+  withNoise (float length, float depth) const
+  {
+    return (length + parameters_.compactness_noise * depth_noise_ * depth * depth);
+  }
 
   /** \brief CS_in and CS_out (paper eq. 11 and 12). */
   std::pair<float, float>
@@ -264,17 +271,19 @@ private:
   liesInMouth (const std::vector<std::uint8_t>& mouth, const Piece& object, const Piece& piece) const;
 
   bool
-  isFragmentOf (const Piece& object, const Piece& piece);
-  bool
   isHandleOf (const Piece& object, const Piece& piece);
   bool
   isFloorOf (const Piece& object, const Piece& piece) const;
   bool
-  isHollowOf (const Piece& object, const Piece& piece, const Piece& whole);
-
-  /** \brief Whether a piece is another wall of a hollow whose inside was joined, which a handle parts from the first. */
+  isHollowOf (const Piece& object, const Piece& piece);
+  /** \brief Whether the edge where a wall ends before the inside of a hollow and the far edge of that inside lie in one plane, as
+    * the rim of a bowl does, and what happens to stand before it does not. */
   bool
-  isOtherWallOf (const Piece& object, const Piece& piece);
+  isRim (const Piece& wall, const Piece& inside) const;
+  /** \brief Whether a large patch of one piece goes on in one of the other, and none is set off from one that it is parallel to. */
+  bool
+  shareSurface (const Piece& piece, const Piece& other) const;
+
   bool
   isBehindSameOccluder (const Piece& object, const Piece& piece);
 

@@ -13,9 +13,46 @@ namespace pcl_attention
 struct PatchGraphParameters
 {
   int maximum_gap{10};               /**< borders are found across at most this many pixels without a patch */
-  float connection_distance{0.01f};  /**< two border pixels are connected in 3D if nearer than this, metres ... */
+  float connection_distance{0.006f}; /**< two border pixels are connected in 3D if nearer than this, metres ... */
+  float connection_noise{3.0f};      /**< ... plus this many standard deviations of the depth there ... */
   float gap_slack{1.5f};             /**< ... plus this many pixel widths at their depth for every pixel of the gap */
   int sample_distance{6};            /**< convexity is judged between points this far inside either side, pixels */
+  float step_tolerance{0.002f};      /**< two patches whose planes miss their common border by more are a step apart and not
+                                       connected, metres ... */
+  float step_roughness{1.0f};        /**< ... plus this many times how far their points lie off their planes (rms); 0: no patches
+                                       are told apart by that */
+};
+
+/** \brief Sums over points, from which follows how far they lie off a plane. They add up. */
+struct PCL_ATTENTION_EXPORTS PointMoments
+{
+  int count{0};
+  Eigen::Vector3d sum{Eigen::Vector3d::Zero ()};
+  Eigen::Matrix3d square{Eigen::Matrix3d::Zero ()}; /**< sum of p p' */
+
+  void
+  add (const Eigen::Vector3f& point);
+  PointMoments&
+  operator+= (const PointMoments& other);
+
+  /** \brief Mean and standard deviation of their signed distances from the plane through a point, metres; 0 without points. */
+  std::pair<double, double>
+  fromPlane (const Eigen::Vector3f& normal, const Eigen::Vector3f& on_plane) const;
+  /** \brief Root mean square of their distances from the plane that fits them best, metres; 0 without points. */
+  double
+  flatness () const;
+};
+
+/** \brief Where two patches meet: the points on either side of their border. */
+struct PCL_ATTENTION_EXPORTS BorderPoints
+{
+  PointMoments first_connected, second_connected; /**< of the pairs that are connected in 3D */
+  PointMoments first_in_front;                    /**< of the first label where it hides the second */
+  PointMoments second_in_front;
+
+  /** \brief The same border seen from the other patch. */
+  BorderPoints
+  reversed () const { return {second_connected, first_connected, second_in_front, first_in_front}; }
 };
 
 /** \brief What is known of the border two patches (or groups of patches) share. Sums, so that borders of groups add up. */
@@ -47,12 +84,16 @@ struct PCL_ATTENTION_EXPORTS PatchBorder
 struct PCL_ATTENTION_EXPORTS PatchGraph
 {
   std::map<std::pair<int, int>, PatchBorder> borders; /**< first label < second label */
+  std::map<std::pair<int, int>, BorderPoints> points; /**< of the same borders */
   std::vector<std::vector<int>> neighbors;            /**< of label k at [k], ascending; [0] is empty */
   std::vector<int> perimeter;                         /**< contour pairs of label k at [k], towards anything or out of the image */
 
   /** \brief The border of two labels, seen from the first one; empty when they do not touch. */
   PatchBorder
   border (int first, int second) const;
+  /** \brief The points of that border. */
+  BorderPoints
+  borderPoints (int first, int second) const;
 };
 
 /** \brief Find which patches share a border, how much of it is connected in 3D, and whether it is convex or concave.
@@ -60,5 +101,14 @@ struct PCL_ATTENTION_EXPORTS PatchGraph
 PCL_ATTENTION_EXPORTS PatchGraph
 buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels, int count,
                  const PatchGraphParameters& parameters);
+
+/** \brief Take apart what only seems connected. Two patches of one surface meet where their planes do, whether in an edge or as a
+  * plane that goes on; the sides of two boxes, one set back behind the other or turned a little, do not.
+  * \param[in] patches whose graph it is
+  * \param[in] excluded 1 at [label] for patches whose planes say nothing, such as a bent table; may be empty
+  * \param[in,out] graph connected becomes 0 on the borders of a step */
+PCL_ATTENTION_EXPORTS void
+disconnectSteps (const PlanarPatches& patches, const std::vector<std::uint8_t>& excluded, const PatchGraphParameters& parameters,
+                 PatchGraph& graph);
 
 } // namespace pcl_attention

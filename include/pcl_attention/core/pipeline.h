@@ -24,7 +24,7 @@ struct SegmentationParameters
   int fixation_margin{4};          /**< a fixation nearer than this to its segment's contour moves inside, pixels; 0: off */
   bool coverage{true};             /**< every patch that no segment claims becomes an attention point, after all others; with
                                      a supporting plane only what stands on it */
-  int coverage_size{150};          /**< smaller patches do not, pixels */
+  int coverage_size{100};          /**< smaller patches do not, pixels */
   int minimum_segment_size{50};    /**< smaller segments are no objects, pixels */
 };
 

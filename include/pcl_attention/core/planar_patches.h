@@ -35,7 +35,7 @@ struct PatchParameters
   float maximum_angle{0.5f};       /**< between a point's normal and the plane's, radians, 0..pi/2 */
   float maximum_distance{0.008f};  /**< of a point from the plane, metres */
   float maximum_step{0.01f};       /**< a step between neighbouring pixels beyond this may be a depth edge, metres */
-  int minimum_size{9};             /**< smaller clusters are dissolved, pixels */
+  int minimum_size{80};            /**< smaller clusters are dissolved: fragments lie in creases and bridge them, pixels */
   float reassign_distance{0.01f};  /**< left-over points join a neighbouring patch nearer than this, metres; 0: they stay noise */
 };
 
@@ -44,7 +44,7 @@ struct PlanarPatch
 {
   pcl::Indices pixels;                              /**< row-major indices, ascending */
   Eigen::Vector3f centroid{Eigen::Vector3f::Zero ()}; /**< metres, sensor frame */
-  Eigen::Vector3f normal{Eigen::Vector3f::Zero ()};   /**< unit, of the plane fitted to all points, towards the viewpoint */
+  Eigen::Vector3f normal{Eigen::Vector3f::Zero ()};   /**< unit, of the plane fitted to its points, towards the viewpoint */
   float rms{0.0f};                                  /**< of the plane fit, metres */
 };
 
@@ -68,9 +68,9 @@ extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, I
                       const PatchParameters& parameters, PlanarPatches& result);
 
 /** \brief Give valid points without a patch to the neighbouring patch that is nearest in 3D, ring by ring outwards from the
-  * patches, as far as they are nearer than maximum_distance metres (paper IV-A). */
+  * patches, as far as they are nearer than maximum_distance metres, and to its plane (paper IV-A). */
 PCL_ATTENTION_EXPORTS void
-reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, Image<int>& labels);
+reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPatches& patches);
 
 /** \brief Fill the patches' pixel lists and planes from a label image, for labels made elsewhere. */
 PCL_ATTENTION_EXPORTS void

@@ -21,6 +21,15 @@ struct PyramidLevel
   NormalImage normals;
 };
 
+/** \brief Columns or rows that are left of some after halving them again and again. */
+inline int
+halvedSize (int size, int times)
+{
+  for (; times > 0; --times)
+    size = (size + 1) / 2;
+  return (size);
+}
+
 /** \brief Halve again and again.
   * \param[in] count how many times, from 0
   * \return the levels, the half size first */

@@ -15,7 +15,12 @@ struct SaliencyMaps
   Image<float> saliency;              /**< S, normalised to [0, 1]; 0 on invalid points */
   float maximum{0.0f};                /**< the sum's maximum before the normalisation; 0 when nothing is symmetric */
   std::vector<SymmetryMap> levels;    /**< finest first, each of its own size, after blur and thresholds */
+  int skipped{0};                     /**< how many times the cloud was halved before the first of them */
 };
+
+/** \brief How many levels are left out for their size, see \ref SaliencyParameters::maximum_columns. */
+PCL_ATTENTION_EXPORTS int
+skippedLevels (int width, const SaliencyParameters& parameters);
 
 /** \brief Where a saliency map comes from. */
 struct WinningSymmetry
@@ -35,7 +40,7 @@ computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const 
                  SaliencyMaps& maps);
 
 /** \brief The same where the pyramid is there already.
-  * \param[in] coarser at least one level less than the parameters have, see \ref coarserLevels */
+  * \param[in] coarser at least one level less than are skipped and summed, see \ref coarserLevels */
 PCL_ATTENTION_EXPORTS void
 computeSaliency (const OrganizedCloud& cloud, const NormalImage& normals, const std::vector<PyramidLevel>& coarser,
                  const SaliencyParameters& parameters, int threads, SaliencyMaps& maps);

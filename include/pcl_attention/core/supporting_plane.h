@@ -25,7 +25,8 @@ struct SupportingPlane
                                                             viewpoint, metres */
   pcl::Indices indices;         /**< its points, ascending */
   float area{0.0f};             /**< m^2 */
-  float confidence{0.0f};       /**< 0..1: of what lies near its outline, the share that is above it, not below */
+  float confidence{0.0f};       /**< 0..1: of what lies near its outline, the share that is above it, not below; of what is below
+                                  only what faces the same way counts */
   bool supports_objects{false}; /**< true for the plane that objects stand on; false for other planes of the background */
 };
 

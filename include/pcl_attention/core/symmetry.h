@@ -12,6 +12,8 @@ struct SaliencyParameters
 {
   int window_radius{3};            /**< offsets +-1..radius without the centre row and column, pixels, 1..8 (N(p)) */
   int levels{4};                   /**< pyramid levels, 1..8 (L_1..L_n, eq. 9) */
+  int maximum_columns{400};        /**< of the finest level: those with more columns are left out, as their windows see more noise
+                                     than shape; 0: none is */
   float distance_scale{1000.0f};   /**< units of the exponentials of eq. 3, 1/m: 1000 is millimetres */
   bool convexity_gate{true};       /**< symmetry is 0 unless both halves' mean normals point away from the plane */
   int blur_radius{2};              /**< box blur of every level map, pixels; 0 is off */
