@@ -417,6 +417,61 @@ TEST (CompactClustering, TheFloorSeenThroughTheMouthOfAHollowBelongsToIt)
   EXPECT_EQ (plate.grow (31, 8, parameters, support).indices.size (), static_cast<std::size_t> (ring));
 }
 
+TEST (CompactClustering, TheInsideOfAHollowAndItsWallMeetInARimThatIsPlane)
+{
+  // A dish from above, 80 mm wide, and the wall that falls off around it: two patches that meet in a circle. Bent like a saddle the
+  // circle is no rim: a x^2 - a y^2 is 25 mm cos 2 phi there, which lies 25 / sqrt (2) = 18 mm off its plane. What is flat beside them
+  // tells that there is no noise.
+  const auto patchesOf = [] (double saddle) {
+    Frame frame = shapes::emptyFrame (192, 64);
+    Image<int> labels (192, 64, 0);
+    for (int row = 0; row < 64; ++row)
+      for (int column = 0; column < 192; ++column)
+      {
+        const double x = 0.002 * (column - 31.5), y = 0.002 * (row - 31.5), radius = std::hypot (x, y), rim = 0.04;
+        frame.set (frame.index (column, row), {x, y, 0.9}, {0, 0, -1});
+        if (radius > 0.06)
+          continue;
+        const bool inside = radius < rim;
+        const double slope = inside ? -20.0 * radius : 2.0; // dz / d radius
+        const double z = inside ? 0.8 + 10.0 * (rim * rim - radius * radius) : 0.8 + 2.0 * (radius - rim);
+        labels (column, row) = inside ? 1 : 2;
+        frame.set (frame.index (column, row), {x, y, z + saddle * (x * x - y * y) / (rim * rim)},
+                   Vector3d (slope * x / radius, slope * y / radius, -1.0).normalized ());
+      }
+    ClusteringParameters parameters;
+    parameters.join_handles = false;
+    return (sorted (Case (frame, labels).grow (31, 31, parameters).patches));
+  };
+  EXPECT_EQ (patchesOf (0.0), (std::vector<int>{1, 2}));
+  EXPECT_EQ (patchesOf (0.025), (std::vector<int>{1}));
+}
+
+TEST (CompactClustering, WhatGoesOnBehindAnOccluderHasNoSideSetBack)
+{
+  // A bar before a front that bends back below a ridge; on the right of the bar the ridge is farther down, so that the fronts are in
+  // one plane and the slopes under them 20 / sqrt (2) = 14 mm apart.
+  const auto patchesOf = [] (double shift) {
+    Frame frame = shapes::emptyFrame (160, 48);
+    Image<int> labels (160, 48, 0);
+    for (int row = 0; row < 48; ++row)
+      for (int column = 0; column < 160; ++column)
+      {
+        const double x = 0.002 * (column - 79.5), y = 0.002 * (row - 23.5), below = y - (column < 80 ? 0.0 : shift);
+        const bool is_bar = column >= 74 && column < 86, is_slope = below > 0.0;
+        labels (column, row) = is_bar ? 5 : (column < 80 ? 1 : 3) + is_slope;
+        frame.set (frame.index (column, row), {x, y, is_bar ? 0.7 : 0.8 + std::max (0.0, below)},
+                   Vector3d (0.0, is_slope && !is_bar ? 1.0 : 0.0, -1.0).normalized ());
+      }
+    ClusteringParameters parameters;
+    parameters.compactness_threshold = 1.0f;
+    parameters.join_handles = parameters.join_hollows = false;
+    return (sorted (Case (frame, labels).grow (10, 10, parameters).patches));
+  };
+  EXPECT_EQ (patchesOf (0.0), (std::vector<int>{1, 2, 3, 4}));
+  EXPECT_EQ (patchesOf (0.02), (std::vector<int>{1, 2}));
+}
+
 TEST (CompactClustering, ConvexityRefusesAConcaveBorder)
 {
   ClusteringParameters parameters = plain ();

@@ -131,14 +131,24 @@ TEST (SupportingPlanes, AShelfAtTheBorderIsTooSmallForAWall)
 
 TEST (SupportingPlanes, AWallBehindATableIsNotWhatTheTableStandsOn)
 {
-  // A small bowl on a table, whose far edge the wall is seen beneath.
-  const shapes::Frame scene = shapes::rendered (SceneKind::single_bowl, 1, 640, 480, 0.0);
-  const std::vector<PyramidLevel> coarser = coarserLevels (scene.cloud, scene.normals, supportLevels (640), 1);
-  const std::vector<SupportingPlane> planes = findSupportingPlanes (scene.cloud, scene.normals, coarser, SupportParameters ());
-  ASSERT_EQ (planes.size (), 2u);
+  // A table through (0, 0.1, 1) that faces up and ends 1.2 m away, 5 cm over it the top of a box; under its far edge a wall goes on
+  // down, 1.3 m away.
+  const Vector3d up (0, -0.8, -0.6), towards_viewer (0, 0, -1);
+  shapes::Frame scene = shapes::emptyFrame (width, height);
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+    {
+      const Vector3d ray ((column - 79.5) / 120.0, (row - 59.5) / 120.0, 1.0);
+      const double height = middle.contains (column, row - 25) ? 0.05 : 0.0;
+      const double depth = (up.dot (Vector3d (0, 0.1, 1)) + height) / up.dot (ray);
+      const bool is_table = depth > 0.0 && depth < 1.2;
+      scene.set (scene.index (column, row), ray * (is_table ? depth : 1.3), is_table ? up : towards_viewer);
+    }
+  const std::vector<SupportingPlane> planes = findSupportingPlanes (scene.cloud, scene.normals, {}, SupportParameters ());
+  ASSERT_FALSE (planes.empty ());
   EXPECT_TRUE (planes.front ().supports_objects);
-  EXPECT_LT (planes.front ().coefficients[1], -0.5f) << "the table faces up, which is -y";
-  EXPECT_GT (planes.front ().confidence, 0.9f);
+  EXPECT_NEAR (planes.front ().coefficients[1], -0.8f, 0.02f);
+  EXPECT_EQ (planes.front ().confidence, 1.0f);
 }
 
 TEST (PointsOver, AreAboveThePlaneUpToHalfAMetreWithTheirFeetOnIt)
