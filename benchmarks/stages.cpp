@@ -48,6 +48,14 @@ segmentFirst (pcl::AttentionSegmentation<pcl::PointXYZRGB>& segmentation)
   benchmark::DoNotOptimize (segment);
 }
 
+SaliencyParameters
+fromFullSize ()
+{
+  SaliencyParameters settings = parameters.saliency;
+  settings.maximum_columns = 0;
+  return (settings);
+}
+
 void
 transcribeLevels (const Frame& frame)
 {
@@ -85,8 +93,12 @@ measureStages (const std::vector<Frame>& frames)
     SymmetryMap map;
     computeSymmetry (frame.cloud, frame.normals, parameters.saliency, 1, map);
   });
-  // The same levels from the tests' transcription of the equations in double precision, without blur and sum; it also estimates
-  // its uncertainty.
+  measure ("saliency/from_full_size", frames, [] (const Frame& frame) {
+    SaliencyMaps saliency;
+    computeSaliency (frame.cloud, frame.normals, fromFullSize (), 1, saliency);
+  });
+  // The same levels, from the full size, by the tests' transcription of the equations in double precision, without blur and sum; it
+  // also estimates its uncertainty.
   measure ("saliency/double_transcription", frames, transcribeLevels);
   measure ("attention_points", frames, [] (const Frame& frame) {
     AttentionPoints points;

@@ -3,6 +3,7 @@
 #include "object_hull.h"
 #include "point_at.h"
 
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/compact_clustering.h>
 #include <pcl_attention/core/supporting_plane.h>
 
@@ -89,10 +90,7 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   for (std::size_t index = 0; index < color_bins_.size (); ++index)
     if (cloud.valid[index])
       scene_histogram_.add (color_bins_[index]);
-  for (std::size_t label = 1; label < count; ++label)
-  {
-    if (parameters.stay_off_support && isSupport (static_cast<int> (label)))
-      continue;
+  forEachSeed ([&] (int label) {
     const pcl::Indices& pixels = patches.patches[label - 1].pixels;
     const std::size_t samples = std::min (pixels.size (), static_cast<std::size_t> (parameters.compactness_samples));
     for (std::size_t sample = 0; sample < samples; ++sample)
@@ -105,26 +103,34 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
     if (cloud.hasColor ())
       for (const pcl::index_t index : pixels)
         histograms_[label].add (colorBin (cloud.red[index], cloud.green[index], cloud.blue[index]));
-  }
+  });
 }
 
 CompactClustering::~CompactClustering () = default;
 
+void
+CompactClustering::forEachSeed (const std::function<void (int label)>& work) const
+{
+  constexpr int together = 32;
+  forEachBand (static_cast<int> (seeds_.size ()), together, 1, [&] (int begin, int end) {
+    std::for_each (seeds_.begin () + begin, seeds_.begin () + end, work);
+  });
+}
+
 const ObjectHull&
 CompactClustering::patchHull (int label)
 {
-  constexpr std::size_t most_points = 1000;
   if (!hulls_[label])
   {
+    // The outline goes through ends of rows; some points between them tell how far the patch bulges.
+    constexpr std::size_t enough_between = 200;
     const pcl::Indices& pixels = patches_.patches[label - 1].pixels;
-    const std::size_t count = std::min (pixels.size (), most_points);
+    const std::size_t step = std::max<std::size_t> (1, pixels.size () / enough_between);
+    const auto rowOf = [&] (std::size_t i) { return (pixels[i] / cloud_.width); };
     std::vector<Eigen::Vector3f> points;
-    points.reserve (count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const pcl::index_t index = pixels[i * pixels.size () / count];
-      points.push_back (pointAt (cloud_, index));
-    }
+    for (std::size_t i = 0; i < pixels.size (); ++i)
+      if (i % step == 0 || i + 1 == pixels.size () || rowOf (i - 1) != rowOf (i) || rowOf (i + 1) != rowOf (i))
+        points.push_back (pointAt (cloud_, pixels[i]));
     hulls_[label] = std::make_unique<ObjectHull> (parameters_.hull_method, *hull_grid_);
     hulls_[label]->add (points);
   }
@@ -475,6 +481,8 @@ CompactClustering::growAhead (const std::function<bool ()>& is_over)
 {
   if (!parameters_.joinsPieces ())
     return; // then only what a fixation leads to is grown
+  if (!is_over ())
+    forEachSeed ([this] (int label) { patchHull (label); });
   for (const int seed : seeds_)
   {
     if (is_over ())
@@ -706,7 +714,7 @@ CompactClustering::joinPiece (Piece& object)
       return (join (*piece));
   if (parameters_.join_hollows)
   {
-    const std::vector<std::uint8_t> mouth = mouthOf (object);
+    const RowSpans mouth = mouthOf (object);
     for (const Piece* piece : neighbors)
       if (liesInMouth (mouth, object, *piece))
         return (join (*piece));
@@ -721,7 +729,7 @@ CompactClustering::joinPiece (Piece& object)
   return (false);
 }
 
-std::vector<std::uint8_t>
+CompactClustering::RowSpans
 CompactClustering::mouthOf (const Piece& object) const
 {
   std::vector<const Piece*> hollows;
@@ -750,7 +758,7 @@ CompactClustering::mouthOf (const Piece& object) const
   const std::vector<Eigen::Vector3f> corners = computeConvexHull (outline, 2).vertices;
   if (corners.size () < 3)
     return {};
-  std::vector<std::uint8_t> mouth (cloud_.size (), 0);
+  RowSpans mouth (cloud_.height);
   for (int row = 0; row < cloud_.height; ++row)
   {
     // Where the row crosses the polygon.
@@ -766,8 +774,7 @@ CompactClustering::mouthOf (const Piece& object) const
       left = std::min ({left, x, level ? b.x () : x});
       right = std::max ({right, x, level ? b.x () : x});
     }
-    for (int column = static_cast<int> (std::ceil (left)); column <= static_cast<int> (right); ++column)
-      mouth[static_cast<std::size_t> (row) * cloud_.width + column] = 1;
+    mouth[row] = {static_cast<int> (std::ceil (left)), static_cast<int> (right) + 1};
   }
   return (mouth);
 }
@@ -776,22 +783,26 @@ pcl::Indices
 CompactClustering::supportInMouth (const Piece& object) const
 {
   pcl::Indices inside;
-  const std::vector<std::uint8_t> mouth = mouthOf (object);
-  for (std::size_t index = 0; index < mouth.size (); ++index)
-    if (mouth[index] && isSupport (patches_.labels[index]))
-      inside.push_back (static_cast<pcl::index_t> (index));
+  const RowSpans mouth = mouthOf (object);
+  for (std::size_t row = 0; row < mouth.size (); ++row)
+    for (int column = mouth[row].first; column < mouth[row].second; ++column)
+      if (const auto index = static_cast<pcl::index_t> (row * cloud_.width + column); isSupport (patches_.labels[index]))
+        inside.push_back (index);
   return (inside);
 }
 
 bool
-CompactClustering::liesInMouth (const std::vector<std::uint8_t>& mouth, const Piece& object, const Piece& piece) const
+CompactClustering::liesInMouth (const RowSpans& mouth, const Piece& object, const Piece& piece) const
 {
   if (mouth.empty () || piece.hollowness < -parameters_.certain_hollowness || piece.pixels > object.pixels)
     return (false);
   int within = 0, before = 0;
   for (const int label : piece.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
-      within += mouth[index];
+    {
+      const auto& [begin, end] = mouth[index / cloud_.width];
+      within += index % cloud_.width >= begin && index % cloud_.width < end;
+    }
   for (const auto& border : piece.borders)
     before += border.second.first_in_front;
   return (within >= 0.8f * piece.pixels && before <= hiding_nothing * piece.perimeter);

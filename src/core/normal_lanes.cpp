@@ -73,14 +73,15 @@ fitRow (const NormalRow* const* around, int width, int radius, float gate, const
         const auto moment = [&] (int index) { return (keep (near, load (row.moments[index] + column))); };
         const Lanes n = moment (NormalRow::count);
         const LaneVector s{moment (NormalRow::sum_x), moment (NormalRow::sum_y), moment (NormalRow::sum_z)};
+        const LaneVector moved = s + d * n; // to this row's centre: sum (p + d) (p + d)' = sum p p' + s d' + d moved'
         count += n;
-        sum = sum + s + d * n;
-        square.xx += moment (NormalRow::sum_xx) + 2.0f * s.x * d.x + n * d.x * d.x;
-        square.xy += moment (NormalRow::sum_xy) + s.x * d.y + s.y * d.x + n * d.x * d.y;
-        square.xz += moment (NormalRow::sum_xz) + s.x * d.z + s.z * d.x + n * d.x * d.z;
-        square.yy += moment (NormalRow::sum_yy) + 2.0f * s.y * d.y + n * d.y * d.y;
-        square.yz += moment (NormalRow::sum_yz) + s.y * d.z + s.z * d.y + n * d.y * d.z;
-        square.zz += moment (NormalRow::sum_zz) + 2.0f * s.z * d.z + n * d.z * d.z;
+        sum = sum + moved;
+        square.xx += moment (NormalRow::sum_xx) + d.x * (s.x + moved.x);
+        square.xy += moment (NormalRow::sum_xy) + (s.x * d.y + d.x * moved.y);
+        square.xz += moment (NormalRow::sum_xz) + (s.x * d.z + d.x * moved.z);
+        square.yy += moment (NormalRow::sum_yy) + d.y * (s.y + moved.y);
+        square.yz += moment (NormalRow::sum_yz) + (s.y * d.z + d.y * moved.z);
+        square.zz += moment (NormalRow::sum_zz) + d.z * (s.z + moved.z);
       }
     const Lanes inverse = 1.0f / select (count > 0.0f, count, broadcast (1.0f));
     const LaneVector mean = sum * inverse;

@@ -192,17 +192,14 @@ GrowingHull::insert (int point, Eigen::ArrayXd& distances)
   // An edge that is met in one direction only is the horizon.
   constexpr std::pair<int, int> met_in_both{-1, -1};
   std::vector<std::pair<int, int>> edges;
-  std::size_t kept = 0;
-  const std::size_t count = facets_.size ();
-  for (std::size_t i = 0; i < count; ++i)
+  std::size_t kept = facets_.size ();
+  for (std::size_t i = kept; i-- > 0;)
   {
     if (distances[static_cast<Eigen::Index> (i)] <= 0.0)
-    {
-      if (kept++ != i)
-        facets_.move (i, kept - 1);
       continue;
-    }
     const std::array<int, 3> triangle = facets_.corners[i];
+    if (--kept != i)
+      facets_.move (kept, i); // which has been looked at
     for (int corner = 0; corner < 3; ++corner)
     {
       const int from = triangle[corner], to = triangle[corner == 2 ? 0 : corner + 1];

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/patch_graph.h>
 #include <pcl_attention/core/skeleton.h>
 #include <pcl_attention/core/supporting_plane.h>
@@ -6,7 +7,11 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
 
 namespace pcl_attention
 {
@@ -19,14 +24,14 @@ class BorderScan
 {
 public:
   BorderScan (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels,
-              const PatchGraphParameters& parameters, PatchGraph& graph)
+              const PatchGraphParameters& parameters, float focal_length, float depth_noise, PatchGraph& graph)
   : cloud_ (cloud),
     normals_ (normals),
     labels_ (labels),
     parameters_ (parameters),
     graph_ (graph),
-    focal_length_ (estimateFocalLength (cloud)),
-    depth_noise_ (parameters.connection_noise > 0.0f ? estimateDepthNoise (cloud) : 0.0f)
+    focal_length_ (focal_length),
+    depth_noise_ (depth_noise)
   {}
 
   /** \param[in] step_column,step_row from a pixel to the next: (1, 0), (0, 1), (1, 1) or (-1, 1) */
@@ -51,7 +56,7 @@ public:
           gapAt (column) = -1;
         const int before = first ? 0 : labels[column - offset];
         if (labels[column] != before)
-          noteChange (row * width + column, offset, labels[column], before, gapAt (column));
+          noteChange ({column, row}, offset, labels[column], before, gapAt (column));
         if (labels[column] != 0 && !labels_.contains (column + step_column, row + step_row))
           ++graph_.perimeter[labels[column]];
       };
@@ -60,22 +65,23 @@ public:
         if (border_row || column == 0 || column == width - 1)
           atBorder (column);
         else if (labels[column] != labels[column - offset])
-          noteChange (row * width + column, offset, labels[column], labels[column - offset], gapAt (column));
+          noteChange ({column, row}, offset, labels[column], labels[column - offset], gapAt (column));
     }
   }
 
 private:
   /** \param[in,out] gap_begin the labelled pixel before the gap that ends or begins here; -1: none */
   void
-  noteChange (int index, int offset, int label, int before, int& gap_begin)
+  noteChange (const Pixel& at, int offset, int label, int before, int& gap_begin)
   {
+    const int index = at.row * labels_.width + at.column;
     if (before != 0)
     {
       ++graph_.perimeter[before];
       if (label == 0)
         gap_begin = index - offset;
       else
-        addPair (index - offset, index, 1);
+        addPair (at, 1);
     }
     if (label == 0)
       return;
@@ -84,7 +90,7 @@ private:
       return;
     const int distance = (index - gap_begin) / offset;
     if (distance <= parameters_.maximum_gap + 1 && labels_[gap_begin] != label)
-      addPair (gap_begin, index, distance);
+      addPair (at, distance);
   }
 
   /** \brief Turn to the border of two labels, which most often is the one before. */
@@ -104,19 +110,19 @@ private:
   /** \brief The pixel sample_distance steps inside the patch, nearer if the patch ends before.
     * \param[out] reached how many steps */
   int
-  inside (int index, const Pixel& step, int& reached) const
+  inside (const Pixel& at, const Pixel& step, int& reached) const
   {
+    const auto room = [] (int place, int direction, int size) {
+      return (direction == 0 ? std::numeric_limits<int>::max () : direction > 0 ? size - 1 - place : place);
+    };
+    const int most = std::min ({parameters_.sample_distance, room (at.column, step.column, labels_.width),
+                                room (at.row, step.row, labels_.height)});
+    const int offset = step.row * labels_.width + step.column;
+    int index = at.row * labels_.width + at.column;
     const int label = labels_[index];
-    reached = 0;
-    int column = index % labels_.width, row = index / labels_.width;
-    while (reached < parameters_.sample_distance && labels_.contains (column + step.column, row + step.row) &&
-           labels_ (column + step.column, row + step.row) == label)
-    {
-      column += step.column;
-      row += step.row;
-      ++reached;
-    }
-    return (row * labels_.width + column);
+    for (reached = 0; reached < most && labels_[index + offset] == label; ++reached)
+      index += offset;
+    return (index);
   }
 
   /** \brief Whether a surface seen at a grazing angle, whose neighbouring pixels lie far apart, leads on to the other point. */
@@ -133,13 +139,18 @@ private:
             std::abs (normal.dot (difference)) < offset * parameters_.connection_distance);
   }
 
+  /** \brief Add the pair of a pixel and the one so many steps before it. */
   void
-  addPair (int first, int second, int distance_in_pixels)
+  addPair (const Pixel& at, int distance_in_pixels)
   {
-    Pixel step = step_;
+    Pixel step = step_, second_at = at;
+    Pixel first_at{at.column - distance_in_pixels * step.column, at.row - distance_in_pixels * step.row};
+    const auto indexOf = [this] (const Pixel& pixel) { return (pixel.row * labels_.width + pixel.column); };
+    int first = indexOf (first_at), second = indexOf (second_at);
     if (labels_[first] > labels_[second])
     {
       std::swap (first, second);
+      std::swap (first_at, second_at);
       step = {-step.column, -step.row};
     }
     turnTo (labels_[first], labels_[second]);
@@ -167,8 +178,8 @@ private:
     // Normals at the very border are mixed from both sides; one of them may be, on a strip along an edge.
     constexpr int deep = 2;
     int reached_first, reached_second;
-    const int inside_first = inside (first, {-step.column, -step.row}, reached_first);
-    const int inside_second = inside (second, step, reached_second);
+    const int inside_first = inside (first_at, {-step.column, -step.row}, reached_first);
+    const int inside_second = inside (second_at, step, reached_second);
     if (std::max (reached_first, reached_second) < deep || !normals_.valid[inside_first] || !normals_.valid[inside_second])
       return;
     const Eigen::Vector3f direction = (point (inside_second) - point (inside_first)).normalized ();
@@ -191,6 +202,18 @@ private:
   PatchBorder* border_{nullptr};
   BorderPoints* points_{nullptr};
 };
+
+template <typename Sums> void
+addUp (const std::map<std::pair<int, int>, Sums>& part, std::map<std::pair<int, int>, Sums>& whole)
+{
+  auto behind = whole.begin ();
+  for (const auto& [names, sums] : part)
+  {
+    const auto at = whole.try_emplace (behind, names);
+    at->second += sums;
+    behind = std::next (at);
+  }
+}
 
 } // namespace
 
@@ -233,6 +256,16 @@ PointMoments::flatness () const
   return (std::sqrt (std::max (0.0, solver.eigenvalues () (0))));
 }
 
+BorderPoints&
+BorderPoints::operator+= (const BorderPoints& other)
+{
+  first_connected += other.first_connected;
+  second_connected += other.second_connected;
+  first_in_front += other.first_in_front;
+  second_in_front += other.second_in_front;
+  return (*this);
+}
+
 PatchBorder&
 PatchBorder::operator+= (const PatchBorder& other)
 {
@@ -273,16 +306,25 @@ PatchGraph::borderPoints (int first, int second) const
 
 PatchGraph
 buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels, int count,
-                 const PatchGraphParameters& parameters)
+                 const PatchGraphParameters& parameters, int threads)
 {
-  PatchGraph graph;
+  const float focal_length = estimateFocalLength (cloud);
+  const float depth_noise = parameters.connection_noise > 0.0f ? estimateDepthNoise (cloud) : 0.0f;
+  constexpr std::array<Pixel, 4> directions{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
+  std::array<PatchGraph, directions.size ()> parts;
+  forEachBand (static_cast<int> (directions.size ()), 1, threads, [&] (int begin, int) {
+    PatchGraph& part = parts[begin];
+    part.perimeter.assign (count + 1, 0);
+    BorderScan (cloud, normals, labels, parameters, focal_length, depth_noise, part).scan (directions[begin].column, directions[begin].row);
+  });
+  PatchGraph graph = std::move (parts[0]);
+  for (auto part = parts.begin () + 1; part != parts.end (); ++part)
+  {
+    addUp (part->borders, graph.borders);
+    addUp (part->points, graph.points);
+    std::transform (part->perimeter.begin (), part->perimeter.end (), graph.perimeter.begin (), graph.perimeter.begin (), std::plus<int> ());
+  }
   graph.neighbors.assign (count + 1, {});
-  graph.perimeter.assign (count + 1, 0);
-  BorderScan scan (cloud, normals, labels, parameters, graph);
-  scan.scan (1, 0);
-  scan.scan (0, 1);
-  scan.scan (1, 1);
-  scan.scan (-1, 1);
   for (const auto& border : graph.borders)
   {
     graph.neighbors[border.first.first].push_back (border.first.second);

@@ -345,14 +345,14 @@ AttentionPipeline::preparePatches ()
     return;
   normals ();
   const StageTimer timer (times_.patches);
-  supporting_planes_ = findSupportingPlanes (cloud_, *normals_, coarser (), parameters_.support);
+  supporting_planes_ = findSupportingPlanes (cloud_, *normals_, coarser (), parameters_.support, threads_);
   const bool stays_off = !supporting_planes_->empty () && parameters_.clustering.stay_off_support;
   if (!patches_)
   {
     // What the planes take needs no growing.
     Image<int> taken = labelPlanes (cloud_, stays_off ? *supporting_planes_ : std::vector<SupportingPlane> ());
     patches_.emplace ();
-    extractPlanarPatches (cloud_, *normals_, std::move (taken), parameters_.patches, *patches_);
+    extractPlanarPatches (cloud_, *normals_, std::move (taken), parameters_.patches, *patches_, threads_);
     if (stays_off)
     {
       support_patches_.assign (patches_->patches.size () + 1, 0);
@@ -362,10 +362,10 @@ AttentionPipeline::preparePatches ()
   else if (stays_off)
     support_patches_ = cutAlongPlanes (cloud_, *supporting_planes_, parameters_.patches, *patches_);
   patch_graph_ = buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
-                                  parameters_.patch_graph);
+                                  parameters_.patch_graph, threads_);
   disconnectSteps (*patches_, support_patches_, parameters_.patch_graph, *patch_graph_);
   if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
-    over_support_ = findPointsOver (cloud_, supporting_planes_->front ());
+    over_support_ = findPointsOver (cloud_, supporting_planes_->front (), threads_);
   for (SupportingPlane& plane : *supporting_planes_)
     plane.coefficients = transformPlane (sensor_pose_, plane.coefficients);
 }

@@ -2,6 +2,7 @@
 #include "point_at.h"
 #include "region_growing.h"
 
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/planar_patches.h>
 
 #include <Eigen/Eigenvalues>
@@ -18,66 +19,134 @@ namespace
 
 constexpr std::array<std::array<int, 2>, 4> four_neighbors{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
-/** \brief Sums over points p relative to an origin: p and p p'. */
-struct Moments
+/** \brief Sums over the points of a patch, several beside each other at a time. */
+class PatchSums
 {
-  Eigen::Vector3d sum;
-  Eigen::Matrix3d square;
-};
+public:
+  /** \brief Add pixels of a row. */
+  void
+  add (const OrganizedCloud& cloud, int begin, int end)
+  {
+    count_ += end - begin;
+    int pixel = begin;
+    for (; pixel + together <= end; pixel += together)
+      add (Stored (&cloud.x[pixel]).cast<double> (), Stored (&cloud.y[pixel]).cast<double> (), Stored (&cloud.z[pixel]).cast<double> ());
+    const auto alone = [] (double value) { return (Several (value, 0.0, 0.0, 0.0)); };
+    for (; pixel < end; ++pixel)
+      add (alone (cloud.x[pixel]), alone (cloud.y[pixel]), alone (cloud.z[pixel]));
+  }
 
-/** \param[in] pixels ascending: most lie beside each other, and are summed several at a time */
-Moments
-momentsOf (const OrganizedCloud& cloud, const pcl::Indices& pixels, const Eigen::Vector3d& origin)
-{
-  constexpr int together = 4;
+  PatchSums&
+  operator+= (const PatchSums& other)
+  {
+    count_ += other.count_;
+    for (std::size_t i = 0; i < sums_.size (); ++i)
+      sums_[i] += other.sums_[i];
+    for (std::size_t i = 0; i < squares_.size (); ++i)
+      squares_[i] += other.squares_[i];
+    return (*this);
+  }
+
+  std::size_t
+  count () const { return (count_); }
+
+  /** \brief Centroid, normal and deviation of the patch. */
+  void
+  fit (PlanarPatch& patch) const
+  {
+    if (count_ == 0)
+      return;
+    const auto size = static_cast<double> (count_);
+    const Eigen::Vector3d mean = Eigen::Vector3d (sums_[0].sum (), sums_[1].sum (), sums_[2].sum ()) / size;
+    const double xx = squares_[0].sum (), xy = squares_[1].sum (), xz = squares_[2].sum (), yy = squares_[3].sum (),
+                 yz = squares_[4].sum (), zz = squares_[5].sum ();
+    Eigen::Matrix3d square;
+    square << xx, xy, xz,
+              xy, yy, yz,
+              xz, yz, zz;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (square / size - mean * mean.transpose ());
+    patch.centroid = mean.cast<float> ();
+    patch.normal = solver.eigenvectors ().col (0).cast<float> ();
+    if (patch.normal.dot (patch.centroid) > 0.0f)
+      patch.normal = -patch.normal;
+    patch.rms = static_cast<float> (std::sqrt (std::max (0.0, solver.eigenvalues () (0))));
+  }
+
+private:
+  static constexpr int together = 4;
   using Several = Eigen::Array<double, together, 1>;
   using Stored = Eigen::Map<const Eigen::Array<float, together, 1>>;
-  Several sums[3], squares[6]; // of the coordinates; of xx, xy, xz, yy, yz, zz
-  for (Several& values : sums)
-    values.setZero ();
-  for (Several& values : squares)
-    values.setZero ();
-  const auto add = [&] (const Several& x, const Several& y, const Several& z) {
-    sums[0] += x;
-    sums[1] += y;
-    sums[2] += z;
-    squares[0] += x * x;
-    squares[1] += x * y;
-    squares[2] += x * z;
-    squares[3] += y * y;
-    squares[4] += y * z;
-    squares[5] += z * z;
-  };
-  for (std::size_t i = 0; i < pixels.size ();)
+
+  void
+  add (const Several& x, const Several& y, const Several& z)
   {
-    const pcl::index_t first = pixels[i];
-    if (i + together <= pixels.size () && pixels[i + together - 1] == first + together - 1)
-    {
-      add (Stored (&cloud.x[first]).cast<double> () - origin.x (), Stored (&cloud.y[first]).cast<double> () - origin.y (),
-           Stored (&cloud.z[first]).cast<double> () - origin.z ());
-      i += together;
-    }
-    else
-    {
-      const auto alone = [] (double value) { return (Several (value, 0.0, 0.0, 0.0)); };
-      add (alone (cloud.x[first] - origin.x ()), alone (cloud.y[first] - origin.y ()), alone (cloud.z[first] - origin.z ()));
-      ++i;
-    }
+    sums_[0] += x;
+    sums_[1] += y;
+    sums_[2] += z;
+    squares_[0] += x * x;
+    squares_[1] += x * y;
+    squares_[2] += x * z;
+    squares_[3] += y * y;
+    squares_[4] += y * z;
+    squares_[5] += z * z;
   }
-  const double xx = squares[0].sum (), xy = squares[1].sum (), xz = squares[2].sum (), yy = squares[3].sum (),
-               yz = squares[4].sum (), zz = squares[5].sum ();
-  Moments moments;
-  moments.sum << sums[0].sum (), sums[1].sum (), sums[2].sum ();
-  moments.square << xx, xy, xz,
-                    xy, yy, yz,
-                    xz, yz, zz;
-  return (moments);
+
+  std::size_t count_{0};
+  std::array<Several, 3> sums_{Several::Zero (), Several::Zero (), Several::Zero ()};
+  std::array<Several, 6> squares_{Several::Zero (), Several::Zero (), Several::Zero (),
+                                  Several::Zero (), Several::Zero (), Several::Zero ()}; /**< xx, xy, xz, yy, yz, zz */
+};
+
+std::vector<PatchSums>
+sumsOf (const OrganizedCloud& cloud, const Image<int>& labels, int threads)
+{
+  const int count = labels.size () == 0 ? 0 : *std::max_element (labels.data.begin (), labels.data.end ());
+  std::array<std::vector<PatchSums>, 2> halves;
+  const int band_height = std::max (1, (labels.height + 1) / 2);
+  forEachBand (labels.height, band_height, threads, [&] (int band_begin, int band_end) {
+    std::vector<PatchSums>& sums = halves[band_begin / band_height];
+    sums.resize (count);
+    for (int row = band_begin; row < band_end; ++row)
+      for (int begin = row * labels.width, row_end = begin + labels.width, end; begin < row_end; begin = end)
+      {
+        const int label = labels[begin];
+        for (end = begin + 1; end < row_end && labels[end] == label;)
+          ++end;
+        if (label > 0)
+          sums[label - 1].add (cloud, begin, end);
+      }
+  });
+  for (std::size_t k = 0; k < halves[1].size (); ++k)
+    halves[0][k] += halves[1][k];
+  return (std::move (halves[0]));
 }
 
-} // namespace
+void
+fitPlanes (const std::vector<PatchSums>& sums, std::vector<PlanarPatch>& patches)
+{
+  patches.assign (sums.size (), PlanarPatch ());
+  for (std::size_t k = 0; k < sums.size (); ++k)
+    sums[k].fit (patches[k]);
+}
 
 void
-reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPatches& patches)
+collectPixels (const std::vector<PatchSums>& sums, PlanarPatches& result)
+{
+  std::vector<pcl::index_t*> ends (sums.size ());
+  for (std::size_t k = 0; k < sums.size (); ++k)
+  {
+    result.patches[k].pixels.resize (sums[k].count ());
+    ends[k] = result.patches[k].pixels.data ();
+  }
+  for (std::size_t index = 0; index < result.labels.size (); ++index)
+    if (result.labels[index] > 0)
+      *ends[result.labels[index] - 1]++ = static_cast<pcl::index_t> (index);
+}
+
+/** \brief \ref reassignLeftOvers for patches whose pixels are still to be collected.
+  * \param[in,out] sums of the patches, and then with what they got */
+void
+assignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPatches& patches, std::vector<PatchSums>& sums)
 {
   constexpr float farthest_deviation = 2.0f; // a curved patch is no plane
   Image<int>& labels = patches.labels;
@@ -119,13 +188,26 @@ reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPa
       else
         rest.push_back (index);
     }
-    for (const auto& assignment : assigned)
-      labels[assignment.first] = assignment.second;
+    for (const auto& [index, label] : assigned)
+    {
+      labels[index] = label;
+      sums[label - 1].add (cloud, index, index + 1);
+    }
     if (assigned.empty ())
       break;
     front = std::move (rest);
   }
-  describePatches (cloud, patches);
+  fitPlanes (sums, patches.patches);
+}
+
+} // namespace
+
+void
+reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPatches& patches)
+{
+  std::vector<PatchSums> sums = sumsOf (cloud, patches.labels, 1);
+  assignLeftOvers (cloud, maximum_distance, patches, sums);
+  collectPixels (sums, patches);
 }
 
 void
@@ -137,50 +219,25 @@ extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, c
 
 void
 extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, Image<int>&& taken,
-                      const PatchParameters& parameters, PlanarPatches& result)
+                      const PatchParameters& parameters, PlanarPatches& result, int threads)
 {
   const int last = taken.size () == 0 ? 0 : *std::max_element (taken.data.begin (), taken.data.end ());
   result.labels = std::move (taken);
   (parameters.method == PatchMethod::grid_growing ? growOnGrid : growWithPcl) (cloud, normals, parameters, result.labels,
                                                                                last);
-  describePatches (cloud, result);
+  std::vector<PatchSums> sums = sumsOf (cloud, result.labels, threads);
+  fitPlanes (sums, result.patches);
   if (parameters.reassign_distance > 0.0f)
-    reassignLeftOvers (cloud, parameters.reassign_distance, result);
+    assignLeftOvers (cloud, parameters.reassign_distance, result, sums);
+  collectPixels (sums, result);
 }
 
 void
 describePatches (const OrganizedCloud& cloud, PlanarPatches& result)
 {
-  const int count = result.labels.size () == 0
-                      ? 0 : *std::max_element (result.labels.data.begin (), result.labels.data.end ());
-  std::vector<std::size_t> sizes (count + 1, 0);
-  for (const int label : result.labels.data)
-    ++sizes[std::max (label, 0)];
-  result.patches.assign (count, PlanarPatch ());
-  std::vector<pcl::index_t*> ends (count);
-  for (int k = 0; k < count; ++k)
-  {
-    result.patches[k].pixels.resize (sizes[k + 1]);
-    ends[k] = result.patches[k].pixels.data ();
-  }
-  for (std::size_t index = 0; index < cloud.size (); ++index)
-    if (result.labels[index] > 0)
-      *ends[result.labels[index] - 1]++ = static_cast<pcl::index_t> (index);
-  for (PlanarPatch& patch : result.patches)
-  {
-    if (patch.pixels.empty ())
-      continue;
-    const Eigen::Vector3d origin = pointAt (cloud, patch.pixels.front ()).cast<double> ();
-    const Moments moments = momentsOf (cloud, patch.pixels, origin);
-    const auto size = static_cast<double> (patch.pixels.size ());
-    const Eigen::Vector3d mean = moments.sum / size;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (moments.square / size - mean * mean.transpose ());
-    patch.centroid = (origin + mean).cast<float> ();
-    patch.normal = solver.eigenvectors ().col (0).cast<float> ();
-    if (patch.normal.dot (patch.centroid) > 0.0f)
-      patch.normal = -patch.normal;
-    patch.rms = static_cast<float> (std::sqrt (std::max (0.0, solver.eigenvalues () (0))));
-  }
+  const std::vector<PatchSums> sums = sumsOf (cloud, result.labels, 1);
+  fitPlanes (sums, result.patches);
+  collectPixels (sums, result);
 }
 
 } // namespace pcl_attention

@@ -18,68 +18,165 @@ namespace
 constexpr std::array<std::array<int, 2>, 8> clockwise{
   {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
 
-std::array<bool, 8>
+/** \brief Which neighbours are foreground, the bits in the order of \ref clockwise. */
+using Neighborhood = unsigned;
+
+Neighborhood
 neighborhood (const Image<std::uint8_t>& image, int column, int row)
 {
-  std::array<bool, 8> neighbors;
+  Neighborhood neighbors = 0;
   for (int i = 0; i < 8; ++i)
   {
     const int c = column + clockwise[i][0], r = row + clockwise[i][1];
-    neighbors[i] = image.contains (c, r) && image (c, r);
+    neighbors |= static_cast<Neighborhood> (image.contains (c, r) && image (c, r)) << i;
   }
   return (neighbors);
 }
 
-int
-countTransitions (const std::array<bool, 8>& neighbors)
+constexpr bool
+has (Neighborhood neighbors, int i)
+{
+  return ((neighbors >> (i % 8) & 1) != 0);
+}
+
+constexpr int
+countOf (Neighborhood neighbors)
+{
+  int count = 0;
+  for (int i = 0; i < 8; ++i)
+    count += has (neighbors, i);
+  return (count);
+}
+
+constexpr int
+countTransitions (Neighborhood neighbors)
 {
   int transitions = 0;
   for (int i = 0; i < 8; ++i)
-    transitions += !neighbors[i] && neighbors[(i + 1) % 8];
+    transitions += !has (neighbors, i) && has (neighbors, i + 1);
   return (transitions);
 }
 
-/** \brief One half-iteration of Zhang and Suen. */
-bool
-peel (Image<std::uint8_t>& image, std::vector<Pixel>& candidates, bool first_half)
+/** \brief What the half-iterations of Zhang and Suen do with a pixel. */
+enum Peeling : std::uint8_t
 {
-  std::vector<Pixel> removed;
-  for (const Pixel& pixel : candidates)
-  {
-    const auto n = neighborhood (image, pixel.column, pixel.row);
-    const int count = static_cast<int> (std::count (n.begin (), n.end (), true));
-    if (count < 2 || count > 6 || countTransitions (n) != 1)
-      continue;
-    const bool north = n[0], east = n[2], south = n[4], west = n[6];
-    const bool keep = first_half ? (north && east && south) || (east && south && west)
-                                 : (north && east && west) || (north && south && west);
-    if (!keep)
-      removed.push_back (pixel);
-  }
-  bool any = false;
-  for (const Pixel& pixel : removed)
-  {
-    // A square of 2x2 pixels would vanish at once; its last pixel stays.
-    const auto n = neighborhood (image, pixel.column, pixel.row);
-    if (std::none_of (n.begin (), n.end (), [] (bool neighbor) { return (neighbor); }))
-      continue;
-    image (pixel.column, pixel.row) = 0;
-    any = true;
-  }
-  candidates.erase (std::remove_if (candidates.begin (), candidates.end (),
-                                    [&] (const Pixel& pixel) { return (!image (pixel.column, pixel.row)); }),
-                    candidates.end ());
-  return (any);
+  first_half_peels = 1,
+  second_half_peels = 2
+};
+
+constexpr std::uint8_t
+peelingOf (Neighborhood n)
+{
+  const int count = countOf (n);
+  if (count < 2 || count > 6 || countTransitions (n) != 1)
+    return (0);
+  const bool north = has (n, 0), east = has (n, 2), south = has (n, 4), west = has (n, 6);
+  const bool first_keeps = (north && east && south) || (east && south && west);
+  const bool second_keeps = (north && east && west) || (north && south && west);
+  return (static_cast<std::uint8_t> ((first_keeps ? 0 : first_half_peels) | (second_keeps ? 0 : second_half_peels)));
 }
 
+constexpr std::array<std::uint8_t, 256>
+peelingTable ()
+{
+  std::array<std::uint8_t, 256> table{};
+  for (Neighborhood n = 0; n < table.size (); ++n)
+    table[n] = peelingOf (n);
+  return (table);
+}
+
+/** \brief The iterations of Zhang and Suen 1984. Only pixels are looked at that a half-iteration would peel as things are, or
+  * whose neighbourhood has changed. */
+class Peeler
+{
+public:
+  /** \param[in] frame the image with a background pixel around it, foreground 1 */
+  explicit Peeler (Image<std::uint8_t>& frame) : frame_ (frame)
+  {
+    for (int i = 0; i < 8; ++i)
+      offsets_[i] = clockwise[i][1] * frame.width + clockwise[i][0];
+    for (std::size_t pixel = 0; pixel < frame_.size (); ++pixel)
+      if (frame_[pixel] && table[neighborhoodOf (pixel)])
+      {
+        frame_[pixel] |= listed;
+        list_.push_back (pixel);
+      }
+  }
+
+  /** \brief One half-iteration.
+    * \return whether a pixel went */
+  bool
+  peel (Peeling half)
+  {
+    going_.clear ();
+    perhaps_last_.clear ();
+    std::size_t left = 0;
+    for (const std::size_t pixel : list_)
+    {
+      const Neighborhood neighbors = frame_[pixel] ? neighborhoodOf (pixel) : 0;
+      if (!table[neighbors])
+        frame_[pixel] &= static_cast<std::uint8_t> (~listed);
+      else if (table[neighbors] & half)
+      {
+        frame_[pixel] |= goes;
+        going_.push_back (pixel);
+        if (!(neighbors & behind))
+          perhaps_last_.push_back (pixel);
+      }
+      else
+        list_[left++] = pixel;
+    }
+    list_.resize (left);
+    // A square of 2x2 pixels would vanish at once; its last pixel stays.
+    for (const std::size_t pixel : perhaps_last_)
+      if (std::all_of (offsets_.begin (), offsets_.end (), [&] (int offset) {
+            return (!frame_[pixel + offset] || (frame_[pixel + offset] & goes));
+          }))
+        frame_[pixel] = foreground;
+    bool any = false;
+    for (const std::size_t pixel : going_)
+    {
+      if (!(frame_[pixel] & goes))
+        continue;
+      any = true;
+      frame_[pixel] = 0;
+      for (const int offset : offsets_)
+        if (frame_[pixel + offset] == foreground)
+        {
+          frame_[pixel + offset] |= listed;
+          list_.push_back (pixel + offset);
+        }
+    }
+    return (any);
+  }
+
+private:
+  static constexpr std::array<std::uint8_t, 256> table = peelingTable ();
+  static constexpr std::uint8_t foreground = 1, listed = 2, goes = 4;
+  static constexpr Neighborhood behind = 0x3c; // east to south-west: later in the order of rows
+
+  Neighborhood
+  neighborhoodOf (std::size_t pixel) const
+  {
+    Neighborhood neighbors = 0;
+    for (int i = 0; i < 8; ++i)
+      neighbors |= (frame_[pixel + offsets_[i]] & foreground) << i;
+    return (neighbors);
+  }
+
+  Image<std::uint8_t>& frame_;
+  std::array<int, 8> offsets_;
+  std::vector<std::size_t> list_, going_, perhaps_last_;
+};
+
 /** \brief Whether the foreground neighbours stay 8-connected to each other without the centre. */
-bool
-neighborsStayConnected (const std::array<bool, 8>& n)
+constexpr bool
+neighborsStayConnected (Neighborhood n)
 {
   // Number of 8-connected foreground runs around the pixel (Yokoi et al. 1975, 8-connectivity number).
   int number = 0;
   for (int i = 0; i < 8; i += 2)
-    number += !n[i] && (n[(i + 1) % 8] || n[(i + 2) % 8]);
+    number += !has (n, i) && (has (n, i + 1) || has (n, i + 2));
   return (number == 1);
 }
 
@@ -200,22 +297,27 @@ labelConnectedComponents (const Image<std::uint8_t>& mask, Image<int>& labels)
 Image<std::uint8_t>
 thin (const Image<std::uint8_t>& mask)
 {
+  Image<std::uint8_t> frame (mask.width + 2, mask.height + 2, 0);
+  for (int row = 0; row < mask.height; ++row)
+    for (int column = 0; column < mask.width; ++column)
+      frame (column + 1, row + 1) = mask (column, row) != 0;
+  Peeler peeler (frame);
+  bool changed = true;
+  while (changed)
+  {
+    const bool first = peeler.peel (first_half_peels);
+    const bool second = peeler.peel (second_half_peels);
+    changed = first || second;
+  }
   Image<std::uint8_t> skeleton (mask.width, mask.height, 0);
   std::vector<Pixel> candidates;
   for (int row = 0; row < mask.height; ++row)
     for (int column = 0; column < mask.width; ++column)
-      if (mask (column, row))
+      if (frame (column + 1, row + 1))
       {
         skeleton (column, row) = 1;
         candidates.push_back ({column, row});
       }
-  bool changed = true;
-  while (changed)
-  {
-    const bool first = peel (skeleton, candidates, true);
-    const bool second = peel (skeleton, candidates, false);
-    changed = first || second;
-  }
   // What is left may be two pixels wide at corners; each goes that the 8-connected line does not need. On ragged shapes one that goes
   // makes another one needless.
   do
@@ -223,10 +325,9 @@ thin (const Image<std::uint8_t>& mask)
     changed = false;
     for (const Pixel& pixel : candidates)
     {
-      const auto n = neighborhood (skeleton, pixel.column, pixel.row);
-      const int count = static_cast<int> (std::count (n.begin (), n.end (), true));
-      if (skeleton (pixel.column, pixel.row) && count >= 2 && neighborsStayConnected (n) &&
-          (n[0] + n[2] + n[4] + n[6]) >= 2)
+      const Neighborhood n = neighborhood (skeleton, pixel.column, pixel.row);
+      if (skeleton (pixel.column, pixel.row) && countOf (n) >= 2 && neighborsStayConnected (n) &&
+          has (n, 0) + has (n, 2) + has (n, 4) + has (n, 6) >= 2)
       {
         skeleton (pixel.column, pixel.row) = 0;
         changed = true;

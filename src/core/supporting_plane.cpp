@@ -3,6 +3,7 @@
 #include "instruction_set.h"
 #include "point_at.h"
 
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/normals.h>
 #include <pcl_attention/core/pyramid.h>
 #include <pcl_attention/core/skeleton.h>
@@ -13,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl_attention
@@ -30,21 +32,34 @@ pixelArea (const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float fo
   return (side * side * point.z () / std::max (smallest_cosine * distance, std::abs (normal.dot (point))));
 }
 
+/** \brief Rows that are tested at a time. */
+constexpr int band_height = 120;
+
+PointArrays
+arraysOf (const OrganizedCloud& cloud, const NormalImage& normals, std::size_t first)
+{
+  return {cloud.x.data () + first,   cloud.y.data () + first,   cloud.z.data () + first,    normals.x.data () + first,
+          normals.y.data () + first, normals.z.data () + first, cloud.valid.data () + first};
+}
+
 /** \brief The outline of a plane's points, to ask what lies over it. */
 class Footprint
 {
 public:
+  /** \param[in] indices of its points, ascending */
   Footprint (const OrganizedCloud& cloud, const pcl::Indices& indices, const Eigen::Vector3f& normal)
   {
     axis1_ = normal.unitOrthogonal ();
     axis2_ = normal.cross (axis1_);
+    // What is convex in the plane is so in the image: the outline goes through ends of rows.
     std::vector<Eigen::Vector3f> flat;
-    const std::size_t step = std::max<std::size_t> (1, indices.size () / 2000);
-    for (std::size_t i = 0; i < indices.size (); i += step)
-    {
-      const Eigen::Vector3f point = pointAt (cloud, indices[i]);
-      flat.emplace_back (point.dot (axis1_), point.dot (axis2_), 0.0f);
-    }
+    const auto rowOf = [&] (std::size_t i) { return (indices[i] / cloud.width); };
+    for (std::size_t i = 0; i < indices.size (); ++i)
+      if (i == 0 || i + 1 == indices.size () || rowOf (i - 1) != rowOf (i) || rowOf (i + 1) != rowOf (i))
+      {
+        const Eigen::Vector3f point = pointAt (cloud, indices[i]);
+        flat.emplace_back (point.dot (axis1_), point.dot (axis2_), 0.0f);
+      }
     outline_ = computeConvexHull (flat, 2).vertices;
     float area = 0.0f;
     for (std::size_t i = 0; i < outline_.size (); ++i)
@@ -57,6 +72,35 @@ public:
       std::reverse (outline_.begin (), outline_.end ());
   }
 
+  /** \brief Which points lie over it, margin metres around it counting.
+    * \param[in] plane it is of
+    * \param[in] lowest,highest above the plane, metres
+    * \return 1 for those, of the cloud's size */
+  std::vector<std::uint8_t>
+  pointsOver (const OrganizedCloud& cloud, const Eigen::Vector4f& plane, float margin, float lowest, float highest, int threads) const
+  {
+    std::vector<std::uint8_t> over (cloud.size (), 0);
+    const std::vector<OutlineEdge> outline = edges (margin);
+    if (outline.empty ())
+      return (over);
+    RoomTest test;
+    std::copy_n (plane.data (), 3, test.normal);
+    test.offset = plane[3];
+    test.lowest = lowest;
+    test.highest = highest;
+    std::copy_n (axis1_.data (), 3, test.axis1);
+    std::copy_n (axis2_.data (), 3, test.axis2);
+    test.edges = outline.data ();
+    test.edge_count = static_cast<int> (outline.size ());
+    forEachBand (cloud.height, band_height, threads, [&] (int begin, int end) {
+      const std::size_t first = static_cast<std::size_t> (begin) * cloud.width;
+      const std::size_t count = static_cast<std::size_t> (end - begin) * cloud.width;
+      laneKernels ().pointsOver (arraysOf (cloud, NormalImage (), first), count, test, over.data () + first);
+    });
+    return (over);
+  }
+
+private:
   /** \brief The outline, margin metres wider. */
   std::vector<OutlineEdge>
   edges (float margin) const
@@ -70,23 +114,6 @@ public:
     return (result);
   }
 
-  /** \brief Whether a point's foot lies inside. */
-  bool
-  contains (const Eigen::Vector3f& point, const std::vector<OutlineEdge>& outline) const
-  {
-    const float x = point.dot (axis1_), y = point.dot (axis2_);
-    return (!outline.empty () && std::all_of (outline.begin (), outline.end (), [&] (const OutlineEdge& edge) {
-      return (edge.normal_x * (x - edge.x) + edge.normal_y * (y - edge.y) <= edge.limit);
-    }));
-  }
-
-  const Eigen::Vector3f&
-  axis1 () const { return (axis1_); }
-
-  const Eigen::Vector3f&
-  axis2 () const { return (axis2_); }
-
-private:
   Eigen::Vector3f axis1_, axis2_;
   std::vector<Eigen::Vector3f> outline_; /**< counter-clockwise, in plane coordinates */
 };
@@ -130,17 +157,31 @@ class BentPlane
 public:
   BentPlane (const OrganizedCloud& cloud, const pcl::Indices& indices) : plane (fitPlane (cloud, indices))
   {
-    using Row = Eigen::Matrix<double, 6, 1>;
-    Eigen::Matrix<double, 6, 6> square = Eigen::Matrix<double, 6, 6>::Zero ();
-    Row product = Row::Zero ();
+    // The normal equations are made of sums over u^i v^j, i + j <= 4, few of which are different.
+    std::array<double, 15> sums{};
+    Eigen::Matrix<double, 6, 1> products = Eigen::Matrix<double, 6, 1>::Zero ();
     const std::size_t step = stepOf (indices.size ());
     for (std::size_t i = 0; i < indices.size (); i += step)
     {
-      const Row row = terms (pointAt (cloud, indices[i])).cast<double> ();
-      square += row * row.transpose ();
-      product += row / static_cast<double> (cloud.z[indices[i]]);
+      const Eigen::Vector3f point = pointAt (cloud, indices[i]);
+      const double inverse_depth = 1.0 / point.z (), u = point.x () * inverse_depth, v = point.y () * inverse_depth;
+      const double uu = u * u, uv = u * v, vv = v * v;
+      const std::array<double, 15> monomials{1.0,    u,      v,      uu,      uv,      vv,      uu * u, uu * v,
+                                             u * vv, vv * v, uu * uu, uu * uv, uu * vv, uv * vv, vv * vv};
+      for (std::size_t k = 0; k < sums.size (); ++k)
+        sums[k] += monomials[k];
+      for (int k = 0; k < products.size (); ++k)
+        products[k] += monomials[k] * inverse_depth;
     }
-    coefficients_ = square.ldlt ().solve (product).cast<float> ();
+    constexpr std::array<std::array<int, 2>, 6> exponents{{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+    Eigen::Matrix<double, 6, 6> square;
+    for (int row = 0; row < 6; ++row)
+      for (int column = 0; column < 6; ++column)
+      {
+        const int i = exponents[row][0] + exponents[column][0], j = exponents[row][1] + exponents[column][1];
+        square (row, column) = sums[(i + j) * (i + j + 1) / 2 + j];
+      }
+    coefficients_ = square.ldlt ().solve (products).cast<float> ();
   }
 
   /** \brief Inverse depth as a function of the view ray (u, v): the factors of 1, u, v, uu, uv, vv. */
@@ -150,27 +191,13 @@ public:
   PlaneFit plane;
 
 private:
-  static Eigen::Matrix<float, 6, 1>
-  terms (const Eigen::Vector3f& point)
-  {
-    const float u = point.x () / point.z (), v = point.y () / point.z ();
-    return ((Eigen::Matrix<float, 6, 1> () << 1.0f, u, v, u * u, u * v, v * v).finished ());
-  }
-
   Eigen::Matrix<float, 6, 1> coefficients_;
 };
-
-PointArrays
-arraysOf (const OrganizedCloud& cloud, const NormalImage& normals, std::size_t first)
-{
-  return {cloud.x.data () + first,   cloud.y.data () + first,   cloud.z.data () + first,    normals.x.data () + first,
-          normals.y.data () + first, normals.z.data () + first, cloud.valid.data () + first};
-}
 
 /** \brief Points within a tolerance of a plane. */
 pcl::Indices
 pointsOf (const OrganizedCloud& cloud, const NormalImage& normals, float noise, const SupportParameters& parameters,
-          const BentPlane& surface)
+          const BentPlane& surface, int threads)
 {
   SurfaceTest test;
   std::copy_n (surface.plane.normal.data (), 3, test.normal);
@@ -180,16 +207,15 @@ pointsOf (const OrganizedCloud& cloud, const NormalImage& normals, float noise, 
   test.noise_tolerance = parameters.noise_tolerance * noise;
   test.below = 0.03f;
   test.minimum_cosine = std::cos (0.6f);
-  std::vector<std::uint8_t> near (cloud.width);
+  std::vector<std::uint8_t> near (cloud.size ());
+  forEachBand (cloud.height, band_height, threads, [&] (int begin, int end) {
+    const std::size_t first = static_cast<std::size_t> (begin) * cloud.width, count = static_cast<std::size_t> (end - begin) * cloud.width;
+    laneKernels ().pointsNear (arraysOf (cloud, normals, first), count, test, near.data () + first);
+  });
   pcl::Indices indices;
-  for (int row = 0; row < cloud.height; ++row)
-  {
-    const pcl::index_t first = row * cloud.width;
-    laneKernels ().pointsNear (arraysOf (cloud, normals, first), near.size (), test, near.data ());
-    for (int column = 0; column < cloud.width; ++column)
-      if (near[column])
-        indices.push_back (first + column);
-  }
+  for (std::size_t index = 0; index < near.size (); ++index)
+    if (near[index])
+      indices.push_back (static_cast<pcl::index_t> (index));
   return (indices);
 }
 
@@ -308,7 +334,7 @@ struct CoarsePlane
   * \return no indices where it is none */
 SupportingPlane
 fitToPatch (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatch& patch, float noise,
-            const SupportParameters& parameters, std::size_t smallest)
+            const SupportParameters& parameters, std::size_t smallest, int threads)
 {
   SupportingPlane plane;
   plane.indices = patch.pixels;
@@ -317,7 +343,11 @@ fitToPatch (const OrganizedCloud& cloud, const NormalImage& normals, const Plana
   {
     const BentPlane surface (cloud, plane.indices);
     plane.coefficients << surface.plane.normal, surface.plane.offset;
-    plane.indices = pointsOf (cloud, normals, noise, parameters, surface);
+    pcl::Indices indices = pointsOf (cloud, normals, noise, parameters, surface, threads);
+    const bool stays = indices == plane.indices;
+    plane.indices = std::move (indices);
+    if (stays)
+      break;
   }
   if (plane.indices.size () < std::max (smallest, patch.pixels.size () / 2))
     plane.indices.clear ();
@@ -363,7 +393,7 @@ supportLevels (int width)
 
 std::vector<SupportingPlane>
 findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const std::vector<PyramidLevel>& coarser,
-                      const SupportParameters& parameters)
+                      const SupportParameters& parameters, int threads)
 {
   const float focal_length = estimateFocalLength (cloud);
   if (focal_length <= 0.0f)
@@ -397,12 +427,11 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
     if (isMostlyTaken (patch.pixels) ||
         areaOf (coarse, patch.pixels, patch.normal, coarse_focal_length) < parameters.minimum_area)
       continue;
-    SupportingPlane plane = fitToPatch (coarse, coarse_normals, patch, noise, parameters, smallest);
+    SupportingPlane plane = fitToPatch (coarse, coarse_normals, patch, noise, parameters, smallest, threads);
     if (plane.indices.empty ())
       continue;
     const Eigen::Vector3f normal = plane.coefficients.head<3> ();
     const Footprint footprint (coarse, patch.pixels, normal);
-    const std::vector<OutlineEdge> near_outline = footprint.edges (0.05f), far_outline = footprint.edges (0.15f);
     const double pixels = scale * scale; // of the scene itself to one of these
     // The floor under a box faces as its top does; a wall that goes on down behind a table does not.
     constexpr float facing_alike = 0.7f;
@@ -410,17 +439,20 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
       return (coarse_normals.valid[index] &&
               normal.dot (Eigen::Vector3f (coarse_normals.x[index], coarse_normals.y[index], coarse_normals.z[index])) > facing_alike);
     };
+    constexpr float clearance = 0.02f;
+    const std::vector<std::uint8_t> above = footprint.pointsOver (coarse, plane.coefficients, 0.05f, clearance, 0.4f, threads);
+    const std::vector<std::uint8_t> under = footprint.pointsOver (coarse, plane.coefficients, 0.15f, -0.3f, -clearance, threads);
     double over = 0.0, below = 0.0;
     for (std::size_t index = 0; index < coarse.size (); ++index)
     {
-      if (!coarse.valid[index])
+      if (!above[index] && !under[index])
         continue;
       const Eigen::Vector3f point = pointAt (coarse, index);
       const float height = normal.dot (point) + plane.coefficients[3];
-      const float clear = 0.02f + parameters.noise_tolerance * noise * point.z () * point.z ();
-      if (height > clear && height < 0.4f && footprint.contains (point, near_outline))
+      const float clear = clearance + parameters.noise_tolerance * noise * point.z () * point.z ();
+      if (height > clear)
         over += pixels;
-      else if (height < -clear && height > -0.3f && facesAlike (index) && footprint.contains (point, far_outline))
+      else if (height < -clear && facesAlike (index))
         below += pixels;
     }
     plane.confidence = static_cast<float> ((over + 100.0) / (over + below + 100.0));
@@ -462,7 +494,7 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
       continue;
     const BentPlane surface (coarse, plane.indices);
     plane.coefficients << surface.plane.normal, surface.plane.offset;
-    plane.indices = pointsOf (cloud, normals, noise, parameters, surface);
+    plane.indices = pointsOf (cloud, normals, noise, parameters, surface, threads);
     dropIslands (cloud, plane.indices);
     plane.area = areaOf (cloud, plane.indices, surface.plane.normal, focal_length);
     const float share = static_cast<float> (plane.indices.size ()) / valid_points;
@@ -478,25 +510,10 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
 }
 
 std::vector<std::uint8_t>
-findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane)
+findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane, int threads)
 {
   const Eigen::Vector3f normal = plane.coefficients.head<3> ();
-  const Footprint footprint (cloud, plane.indices, normal);
-  const std::vector<OutlineEdge> outline = footprint.edges (0.05f);
-  std::vector<std::uint8_t> over (cloud.size (), 0);
-  if (outline.empty ())
-    return (over);
-  RoomTest test;
-  std::copy_n (normal.data (), 3, test.normal);
-  test.offset = plane.coefficients[3];
-  test.lowest = 0.0f;
-  test.highest = 0.5f;
-  std::copy_n (footprint.axis1 ().data (), 3, test.axis1);
-  std::copy_n (footprint.axis2 ().data (), 3, test.axis2);
-  test.edges = outline.data ();
-  test.edge_count = static_cast<int> (outline.size ());
-  laneKernels ().pointsOver (arraysOf (cloud, NormalImage (), 0), cloud.size (), test, over.data ());
-  return (over);
+  return (Footprint (cloud, plane.indices, normal).pointsOver (cloud, plane.coefficients, 0.05f, 0.0f, 0.5f, threads));
 }
 
 Image<int>

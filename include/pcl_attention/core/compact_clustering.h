@@ -261,14 +261,17 @@ private:
   void
   takeLargerObject (Piece& object);
 
-  /** \brief 1 at pixels within the outline of an object's hollow, its convex hull in the image; empty without a hollow. */
-  std::vector<std::uint8_t>
+  /** \brief Of every row the first column and the one behind the last. */
+  using RowSpans = std::vector<std::pair<int, int>>;
+
+  /** \brief The pixels within the outline of an object's hollow, its convex hull in the image; empty without a hollow. */
+  RowSpans
   mouthOf (const Piece& object) const;
   /** \brief What was taken for the support, but is seen through the mouth of an object: its floor. */
   pcl::Indices
   supportInMouth (const Piece& object) const;
   bool
-  liesInMouth (const std::vector<std::uint8_t>& mouth, const Piece& object, const Piece& piece) const;
+  liesInMouth (const RowSpans& mouth, const Piece& object, const Piece& piece) const;
 
   bool
   isHandleOf (const Piece& object, const Piece& piece);
@@ -286,6 +289,10 @@ private:
 
   bool
   isBehindSameOccluder (const Piece& object, const Piece& piece);
+
+  /** \brief Work on every patch that an object may have, shared with the threads of the team if the caller is one of it. */
+  void
+  forEachSeed (const std::function<void (int label)>& work) const;
 
   const ObjectHull&
   patchHull (int label);

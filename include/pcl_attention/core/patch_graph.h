@@ -50,6 +50,9 @@ struct PCL_ATTENTION_EXPORTS BorderPoints
   PointMoments first_in_front;                    /**< of the first label where it hides the second */
   PointMoments second_in_front;
 
+  BorderPoints&
+  operator+= (const BorderPoints& other);
+
   /** \brief The same border seen from the other patch. */
   BorderPoints
   reversed () const { return {second_connected, first_connected, second_in_front, first_in_front}; }
@@ -97,10 +100,11 @@ struct PCL_ATTENTION_EXPORTS PatchGraph
 };
 
 /** \brief Find which patches share a border, how much of it is connected in 3D, and whether it is convex or concave.
-  * \param[in] labels 0 = none, else 1..count */
+  * \param[in] labels 0 = none, else 1..count
+  * \param[in] threads number of threads, 0: all processors */
 PCL_ATTENTION_EXPORTS PatchGraph
 buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels, int count,
-                 const PatchGraphParameters& parameters);
+                 const PatchGraphParameters& parameters, int threads = 1);
 
 /** \brief Take apart what only seems connected. Two patches of one surface meet where their planes do, whether in an edge or as a
   * plane that goes on; the sides of two boxes, one set back behind the other or turned a little, do not.

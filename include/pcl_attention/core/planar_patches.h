@@ -62,10 +62,11 @@ extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, c
                       PlanarPatches& result);
 
 /** \brief The same where some patches are there already.
-  * \param[in] taken of the cloud's size: 0, or the labels 1, 2, ... of those patches; the others have the labels after them */
+  * \param[in] taken of the cloud's size: 0, or the labels 1, 2, ... of those patches; the others have the labels after them
+  * \param[in] threads number of threads, 0: all processors */
 PCL_ATTENTION_EXPORTS void
 extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, Image<int>&& taken,
-                      const PatchParameters& parameters, PlanarPatches& result);
+                      const PatchParameters& parameters, PlanarPatches& result, int threads = 1);
 
 /** \brief Give valid points without a patch to the neighbouring patch that is nearest in 3D, ring by ring outwards from the
   * patches, as far as they are nearer than maximum_distance metres, and to its plane (paper IV-A). */

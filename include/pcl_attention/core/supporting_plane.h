@@ -41,15 +41,16 @@ supportLevels (int width);
 
 /** \brief Find the supporting plane and the other planes of the background.
   * \param[in] coarser at least \ref supportLevels levels, see \ref coarserLevels
+  * \param[in] threads number of threads, 0: all processors
   * \return the plane that objects stand on first, if there is one */
 PCL_ATTENTION_EXPORTS std::vector<SupportingPlane>
 findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const std::vector<PyramidLevel>& coarser,
-                      const SupportParameters& parameters);
+                      const SupportParameters& parameters, int threads = 1);
 
 /** \brief Which points stand on a plane: above it, at most half a metre, and their feet within its outline.
   * \return 1 for those, of the cloud's size */
 PCL_ATTENTION_EXPORTS std::vector<std::uint8_t>
-findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane);
+findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane, int threads = 1);
 
 /** \brief The points of the planes, of the first one where several have a point.
   * \return 0, or 1, 2, ... for the first, second, ... plane, of the cloud's size */
