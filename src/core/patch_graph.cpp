@@ -61,11 +61,13 @@ public:
           ++graph_.perimeter[labels[column]];
       };
       const bool border_row = row == 0 || row == height - 1;
-      for (int column = 0; column < width; ++column)
-        if (border_row || column == 0 || column == width - 1)
-          atBorder (column);
-        else if (labels[column] != labels[column - offset])
+      const int inner_end = border_row ? 1 : width - 1;
+      atBorder (0);
+      for (int column = 1; column < inner_end; ++column)
+        if (labels[column] != labels[column - offset])
           noteChange ({column, row}, offset, labels[column], labels[column - offset], gapAt (column));
+      for (int column = std::max (1, inner_end); column < width; ++column)
+        atBorder (column);
     }
   }
 
