@@ -126,10 +126,9 @@ CompactClustering::patchHull (int label)
     constexpr std::size_t enough_between = 200;
     const pcl::Indices& pixels = patches_.patches[label - 1].pixels;
     const std::size_t step = std::max<std::size_t> (1, pixels.size () / enough_between);
-    const auto rowOf = [&] (std::size_t i) { return (pixels[i] / cloud_.width); };
     std::vector<Eigen::Vector3f> points;
     for (std::size_t i = 0; i < pixels.size (); ++i)
-      if (i % step == 0 || i + 1 == pixels.size () || rowOf (i - 1) != rowOf (i) || rowOf (i + 1) != rowOf (i))
+      if (i % step == 0 || isRowEnd (pixels, i, cloud_.width))
         points.push_back (pointAt (cloud_, pixels[i]));
     hulls_[label] = std::make_unique<ObjectHull> (parameters_.hull_method, *hull_grid_);
     hulls_[label]->add (points);

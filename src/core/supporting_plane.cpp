@@ -32,14 +32,29 @@ pixelArea (const Eigen::Vector3f& point, const Eigen::Vector3f& normal, float fo
   return (side * side * point.z () / std::max (smallest_cosine * distance, std::abs (normal.dot (point))));
 }
 
-/** \brief Rows that are tested at a time. */
-constexpr int band_height = 120;
-
-PointArrays
-arraysOf (const OrganizedCloud& cloud, const NormalImage& normals, std::size_t first)
+/** \brief Test all points of a cloud, some rows at a time.
+  * \param[in] normals null where the test needs none
+  * \param[in] test takes the arrays of some points, how many these are, and where to write 1 for what passes
+  * \return 1 for those, of the cloud's size */
+template <typename Test> std::vector<std::uint8_t>
+testPoints (const OrganizedCloud& cloud, const NormalImage* normals, int threads, const Test& test)
 {
-  return {cloud.x.data () + first,   cloud.y.data () + first,   cloud.z.data () + first,    normals.x.data () + first,
-          normals.y.data () + first, normals.z.data () + first, cloud.valid.data () + first};
+  constexpr int band_height = 120;
+  std::vector<std::uint8_t> passed (cloud.size ());
+  forEachBand (cloud.height, band_height, threads, [&] (int begin, int end) {
+    const std::size_t first = static_cast<std::size_t> (begin) * cloud.width;
+    const std::size_t count = static_cast<std::size_t> (end - begin) * cloud.width;
+    const auto from = [&] (const auto& values) { return (values.data () + first); };
+    PointArrays points{from (cloud.x), from (cloud.y), from (cloud.z), nullptr, nullptr, nullptr, from (cloud.valid)};
+    if (normals)
+    {
+      points.normal_x = from (normals->x);
+      points.normal_y = from (normals->y);
+      points.normal_z = from (normals->z);
+    }
+    test (points, count, passed.data () + first);
+  });
+  return (passed);
 }
 
 /** \brief The outline of a plane's points, to ask what lies over it. */
@@ -53,9 +68,8 @@ public:
     axis2_ = normal.cross (axis1_);
     // What is convex in the plane is so in the image: the outline goes through ends of rows.
     std::vector<Eigen::Vector3f> flat;
-    const auto rowOf = [&] (std::size_t i) { return (indices[i] / cloud.width); };
     for (std::size_t i = 0; i < indices.size (); ++i)
-      if (i == 0 || i + 1 == indices.size () || rowOf (i - 1) != rowOf (i) || rowOf (i + 1) != rowOf (i))
+      if (isRowEnd (indices, i, cloud.width))
       {
         const Eigen::Vector3f point = pointAt (cloud, indices[i]);
         flat.emplace_back (point.dot (axis1_), point.dot (axis2_), 0.0f);
@@ -79,10 +93,9 @@ public:
   std::vector<std::uint8_t>
   pointsOver (const OrganizedCloud& cloud, const Eigen::Vector4f& plane, float margin, float lowest, float highest, int threads) const
   {
-    std::vector<std::uint8_t> over (cloud.size (), 0);
     const std::vector<OutlineEdge> outline = edges (margin);
     if (outline.empty ())
-      return (over);
+      return (std::vector<std::uint8_t> (cloud.size (), 0));
     RoomTest test;
     std::copy_n (plane.data (), 3, test.normal);
     test.offset = plane[3];
@@ -92,12 +105,9 @@ public:
     std::copy_n (axis2_.data (), 3, test.axis2);
     test.edges = outline.data ();
     test.edge_count = static_cast<int> (outline.size ());
-    forEachBand (cloud.height, band_height, threads, [&] (int begin, int end) {
-      const std::size_t first = static_cast<std::size_t> (begin) * cloud.width;
-      const std::size_t count = static_cast<std::size_t> (end - begin) * cloud.width;
-      laneKernels ().pointsOver (arraysOf (cloud, NormalImage (), first), count, test, over.data () + first);
-    });
-    return (over);
+    return (testPoints (cloud, nullptr, threads, [&] (const PointArrays& points, std::size_t count, std::uint8_t* over) {
+      laneKernels ().pointsOver (points, count, test, over);
+    }));
   }
 
 private:
@@ -207,11 +217,10 @@ pointsOf (const OrganizedCloud& cloud, const NormalImage& normals, float noise, 
   test.noise_tolerance = parameters.noise_tolerance * noise;
   test.below = 0.03f;
   test.minimum_cosine = std::cos (0.6f);
-  std::vector<std::uint8_t> near (cloud.size ());
-  forEachBand (cloud.height, band_height, threads, [&] (int begin, int end) {
-    const std::size_t first = static_cast<std::size_t> (begin) * cloud.width, count = static_cast<std::size_t> (end - begin) * cloud.width;
-    laneKernels ().pointsNear (arraysOf (cloud, normals, first), count, test, near.data () + first);
-  });
+  const std::vector<std::uint8_t> near =
+    testPoints (cloud, &normals, threads, [&] (const PointArrays& points, std::size_t count, std::uint8_t* is_near) {
+      laneKernels ().pointsNear (points, count, test, is_near);
+    });
   pcl::Indices indices;
   for (std::size_t index = 0; index < near.size (); ++index)
     if (near[index])
