@@ -190,7 +190,7 @@ writeParameters (const std::string& path, const NamedParameters& parameters)
 void
 applyParts (AttentionParameters& parameters)
 {
-  parameters.clustering.visiblePieces ();
+  parameters.visiblePieces ();
 }
 
 } // namespace pcl_attention

@@ -275,7 +275,7 @@ run (ByteReader& bytes)
 {
   AttentionParameters parameters = bytes.below (8) == 0 ? AttentionParameters::paper () : AttentionParameters ();
   if (bytes.flag ())
-    parameters.clustering.visiblePieces ();
+    parameters.visiblePieces ();
   if (bytes.flag ()) // so that small things are objects in small images
   {
     parameters.segmentation.minimum_segment_size = 5;

@@ -245,7 +245,7 @@ parametersOf (const py::kwargs& arguments)
   }
   const py::object parts = argumentOf (arguments, "parts");
   if (!parts.is_none () && parts.cast<bool> ())
-    parameters.clustering.visiblePieces ();
+    parameters.visiblePieces ();
   for (const auto& [key, value] : arguments)
   {
     const std::string name = py::str (key);

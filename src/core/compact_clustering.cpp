@@ -370,6 +370,11 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
     if (border.convexity () < limit)
       return (refuse (GrowthConstraint::convexity, border.convexity (), limit));
   }
+  // The pieces of a hollow are told by their shape, wherever they meet.
+  const float outline = static_cast<float> (std::min (piece.perimeter, graph_.perimeter[label]));
+  const float contact = outline > 0.0f ? static_cast<float> (border.connected) / outline : 1.0f;
+  if (!hollow && contact < parameters_.minimum_contact)
+    return (refuse (GrowthConstraint::connection, contact, parameters_.minimum_contact));
   if (parameters_.color_constraint != ColorConstraint::off && !color_bins_.empty ())
   {
     const auto [inside, outside] = colorDistances (label, piece);

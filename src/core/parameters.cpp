@@ -163,7 +163,9 @@ makeTable ()
     .number ("step_tolerance", &PatchGraphParameters::step_tolerance, 0, 1, "m", "",
              "patches whose planes miss their common border by more are a step apart and not connected ...")
     .number ("step_roughness", &PatchGraphParameters::step_roughness, 0, 100, "", "",
-             "... plus this many times how far their points lie off their planes; 0: off");
+             "... plus this many times how far their points lie off their planes; 0: off")
+    .number ("step_color", &PatchGraphParameters::step_color, 0, 1, "share", "",
+             "within a patch that limit is larger by this where both sides look alike, smaller where colours differ");
 
   rowsOf (table, "support", &P::support)
     .number ("support_minimum_area", &SupportParameters::minimum_area, 0, 100, "m^2", "", "of a supporting plane")
@@ -195,6 +197,8 @@ makeTable ()
              "distance of a point to a face of the hull: to the face itself, or to its plane")
     .number ("minimum_connection", &ClusteringParameters::minimum_connection, 0, 1, "share", "",
              "of the common border that is connected in 3D; 0: off")
+    .number ("minimum_contact", &ClusteringParameters::minimum_contact, 0, 1, "share", "",
+             "of the shorter outline that is connected to the other patch, unless both are of one hollow; 0: off")
     .number ("minimum_convexity", &ClusteringParameters::minimum_convexity, -2, 2, "", "",
              "of the common border, -2 concave, 2 convex; -2: off")
     .toggle ("stay_off_support", &ClusteringParameters::stay_off_support, "", "patches of a supporting plane are not added")
@@ -234,6 +238,8 @@ makeTable ()
              "a fixation nearer than this to its segment's contour moves inside; 0: off")
     .toggle ("coverage", &SegmentationParameters::coverage, "", "unclaimed patches become attention points after all others")
     .number ("coverage_size", &SegmentationParameters::coverage_size, 1, 10000000, "pixels", "", "smaller patches do not")
+    .number ("minimum_certain_area", &SegmentationParameters::minimum_certain_area, 0, 100, "m^2", "",
+             "segments whose frontal area times their confidence is smaller are no objects; 0: off, as with -parts")
     .number ("minimum_segment_size", &SegmentationParameters::minimum_segment_size, 1, 10000000, "pixels", "",
              "smaller segments are no objects");
   return (table);

@@ -237,6 +237,15 @@ PointMoments::operator+= (const PointMoments& other)
   return (*this);
 }
 
+PointMoments&
+PointMoments::operator-= (const PointMoments& other)
+{
+  count -= other.count;
+  sum -= other.sum;
+  square -= other.square;
+  return (*this);
+}
+
 std::pair<double, double>
 PointMoments::fromPlane (const Eigen::Vector3f& normal, const Eigen::Vector3f& on_plane) const
 {
@@ -335,28 +344,6 @@ buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const 
   for (auto& neighbors : graph.neighbors)
     std::sort (neighbors.begin (), neighbors.end ());
   return (graph);
-}
-
-void
-disconnectSteps (const PlanarPatches& patches, const std::vector<std::uint8_t>& excluded, const PatchGraphParameters& parameters,
-                 PatchGraph& graph)
-{
-  if (parameters.step_roughness <= 0.0f)
-    return;
-  for (auto& [labels, border] : graph.borders)
-  {
-    if (border.connected == 0 || (!excluded.empty () && (excluded[labels.first] || excluded[labels.second])))
-      continue;
-    const PlanarPatch &first = patches.patches[labels.first - 1], &second = patches.patches[labels.second - 1];
-    const BorderPoints& points = graph.points.at (labels);
-    // At a bend both lie behind the other's plane or both before it, at a step one before and one behind.
-    const auto [first_side, first_spread] = points.first_connected.fromPlane (second.normal, second.centroid);
-    const auto [second_side, second_spread] = points.second_connected.fromPlane (first.normal, first.centroid);
-    const double step = first_side * second_side < 0.0 ? std::min (std::abs (first_side), std::abs (second_side)) : 0.0;
-    const double miss = std::hypot (step, std::min (first_spread, second_spread));
-    if (miss > parameters.step_tolerance + parameters.step_roughness * std::max (first.rms, second.rms))
-      border.connected = 0;
-  }
 }
 
 } // namespace pcl_attention

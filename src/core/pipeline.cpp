@@ -2,6 +2,7 @@
 #include "point_at.h"
 
 #include <pcl_attention/core/parameters.h>
+#include <pcl_attention/core/patch_steps.h>
 #include <pcl_attention/core/pipeline.h>
 
 #include <Eigen/Eigenvalues>
@@ -119,6 +120,7 @@ AttentionParameters::paper ()
   parameters.clustering.compactness_noise = 0.0f;
   parameters.clustering.face_distance = FaceDistance::triangle;
   parameters.clustering.minimum_connection = 0.0f;
+  parameters.clustering.minimum_contact = 0.0f;
   parameters.clustering.minimum_convexity = -2.0f;
   parameters.clustering.stay_off_support = false;
   parameters.clustering.color_convexity = 0.0f;
@@ -130,7 +132,15 @@ AttentionParameters::paper ()
   parameters.segmentation.fixation_margin = 0;
   parameters.segmentation.coverage = false;
   parameters.segmentation.minimum_segment_size = 1;
+  parameters.segmentation.minimum_certain_area = 0.0f;
   return (parameters);
+}
+
+void
+AttentionParameters::visiblePieces ()
+{
+  clustering.visiblePieces ();
+  segmentation.minimum_certain_area = 0.0f;
 }
 
 void
@@ -358,6 +368,9 @@ AttentionPipeline::preparePatches ()
       support_patches_.assign (patches_->patches.size () + 1, 0);
       std::fill_n (support_patches_.begin () + 1, supporting_planes_->size (), 1);
     }
+    cutAtSteps (cloud_, support_patches_, parameters_.patch_graph, *patches_, threads_);
+    if (stays_off)
+      support_patches_.resize (patches_->patches.size () + 1, 0);
   }
   else if (stays_off)
     support_patches_ = cutAlongPlanes (cloud_, *supporting_planes_, parameters_.patches, *patches_);
@@ -512,15 +525,31 @@ AttentionPipeline::priorityOf (std::size_t place, float size_weight) const
 }
 
 float
-AttentionPipeline::sizeWeight (const AttentionSegment& segment) const
+AttentionPipeline::frontalArea (const AttentionSegment& segment) const
 {
-  const float full_size = parameters_.segmentation.full_size, focal_length = clustering_->focalLength ();
-  if (full_size <= 0.0f || focal_length <= 0.0f)
-    return (1.0f);
+  const float focal_length = clustering_->focalLength ();
   float area = 0.0f;
   for (const pcl::index_t index : segment.indices)
     area += cloud_.z[index] * cloud_.z[index] / (focal_length * focal_length);
-  return (std::min (1.0f, area / full_size));
+  return (area);
+}
+
+bool
+AttentionPipeline::isLargeEnough (const AttentionSegment& segment) const
+{
+  const SegmentationParameters& parameters = parameters_.segmentation;
+  return (static_cast<int> (segment.indices.size ()) >= parameters.minimum_segment_size &&
+          (clustering_->focalLength () <= 0.0f ||
+           frontalArea (segment) * segment.confidence >= parameters.minimum_certain_area));
+}
+
+float
+AttentionPipeline::sizeWeight (const AttentionSegment& segment) const
+{
+  const float full_size = parameters_.segmentation.full_size;
+  if (full_size <= 0.0f || clustering_->focalLength () <= 0.0f)
+    return (1.0f);
+  return (std::min (1.0f, frontalArea (segment) / full_size));
 }
 
 bool
@@ -590,8 +619,7 @@ AttentionPipeline::growAt (std::size_t place)
         return (waiting.others.push_back (place));
   }
   AttentionSegment segment;
-  if (grower.grow (point, initial, segment) &&
-      static_cast<int> (segment.indices.size ()) >= parameters_.segmentation.minimum_segment_size)
+  if (grower.grow (point, initial, segment) && isLargeEnough (segment))
   {
     const Priority priority = priorityOf (place, sizeWeight (segment));
     waiting_.push_back ({std::move (segment), priority, {}});

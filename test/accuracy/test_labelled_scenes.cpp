@@ -50,7 +50,7 @@ TEST_F (LabelledScenes, theDefaultFindsWholeObjects)
 TEST_F (LabelledScenes, withoutJoinsVisiblePartsAreFound)
 {
   AttentionParameters parameters;
-  parameters.clustering.visiblePieces ();
+  parameters.visiblePieces ();
   const Summary summary = scoreLearn (parameters, GroundTruthKind::parts);
   EXPECT_GE (summary.strict_first.mean, 0.90);
 }

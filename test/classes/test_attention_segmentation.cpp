@@ -4,6 +4,7 @@
 #include <pcl/segmentation/attention_segmentation.h>
 #include <pcl/segmentation/compact_patch_clustering.h>
 #include <pcl/segmentation/planar_patch_extraction.h>
+#include <pcl/segmentation/impl/organized_cloud.hpp>
 #include <pcl/segmentation/symmetry_saliency_estimation.h>
 
 namespace
@@ -45,6 +46,7 @@ protected:
     parameters.segmentation.fixation_margin = 0;
     parameters.segmentation.coverage = false;
     parameters.segmentation.minimum_segment_size = 1;
+    parameters.segmentation.minimum_certain_area = 0.0f;
     return (parameters);
   }
 
@@ -124,6 +126,39 @@ TEST_F (Segmentation, GivesSegmentsOfTheSmallestSizeAndNoneBelow)
   EXPECT_EQ (segmentsOfAtLeast (size), all);
   EXPECT_LT (segmentsOfAtLeast (size + 1), all);
   EXPECT_GT (smallest, size);
+}
+
+TEST_F (Segmentation, GivesNoSegmentsOfLessCertainAreaThanAskedFor)
+{
+  const pcl_attention::OrganizedCloud cloud = pcl_attention::gather (*sceneCloud (), nullptr);
+  const float focal_length = pcl_attention::estimateFocalLength (cloud);
+  const auto certainArea = [&] (const pcl::AttentionSegment& object) {
+    float area = 0.0f;
+    for (const pcl::index_t index : object.indices)
+      area += cloud.z[index] * cloud.z[index] / (focal_length * focal_length);
+    return (area * object.confidence);
+  };
+  pcl_attention::AttentionParameters parameters = pointByPoint ();
+  const auto segmentsOfAtLeast = [&] (float area) {
+    parameters.segmentation.minimum_certain_area = area;
+    segmentation.setParameters (parameters);
+    return (segment ());
+  };
+  std::vector<float> areas;
+  for (const pcl::AttentionSegment& object : segmentsOfAtLeast (0.0f))
+    areas.push_back (certainArea (object));
+  ASSERT_GE (areas.size (), 3u);
+  std::sort (areas.begin (), areas.end ());
+  const float limit = areas[areas.size () / 2];
+  const auto expected = [&] (float least) {
+    return (static_cast<std::size_t> (areas.end () - std::lower_bound (areas.begin (), areas.end (), least)));
+  };
+  EXPECT_EQ (segmentsOfAtLeast (0.999f * limit).size (), expected (0.999f * limit));
+  EXPECT_EQ (segmentsOfAtLeast (1.001f * limit).size (), expected (1.001f * limit));
+  EXPECT_LT (expected (1.001f * limit), areas.size ());
+  parameters.visiblePieces ();
+  EXPECT_EQ (parameters.segmentation.minimum_certain_area, 0.0f);
+  EXPECT_FALSE (parameters.clustering.joinsPieces ());
 }
 
 TEST_F (Segmentation, LooksAtTheLargestPatchesFirstWhereNothingIsSalient)

@@ -377,6 +377,58 @@ TEST (CompactClustering, CompactnessRefusesAPatchFarBehind)
   EXPECT_EQ (connected.steps[0].limit, 0.5f);
 }
 
+TEST (CompactClustering, ToTouchAtACornerIsNotEnough)
+{
+  // Two squares of 12 by 12 pixels with one row in common: a pair along it and one in either falling diagonal, of 140.
+  Image<int> labels (64, 48, 3);
+  for (int row = 0; row < 12; ++row)
+    for (int column = 0; column < 12; ++column)
+    {
+      labels (10 + column, 10 + row) = 1;
+      labels (22 + column, 21 + row) = 2;
+    }
+  const Case scene (shapes::look (shapes::plane ({0, 0, 0.8}, {0, 0, -1})), labels);
+  ASSERT_EQ (scene.graph.border (1, 2).connected, 3);
+  ASSERT_EQ (scene.graph.perimeter[1], 140);
+  ClusteringParameters parameters = plain ();
+  parameters.stay_off_support = true;
+  parameters.minimum_contact = 0.02f;
+  EXPECT_EQ (scene.grow (15, 15, parameters, {0, 0, 0, 1}).patches, (std::vector<int>{1, 2}));
+  parameters.minimum_contact = 0.03f;
+  const AttentionSegment apart = scene.grow (15, 15, parameters, {0, 0, 0, 1});
+  EXPECT_EQ (apart.patches, (std::vector<int>{1}));
+  const GrowthStep* const step = stepOf (apart, 2);
+  ASSERT_NE (step, nullptr);
+  EXPECT_EQ (step->refused_by, GrowthConstraint::connection);
+  EXPECT_FLOAT_EQ (step->value, 3.0f / 140.0f);
+  EXPECT_EQ (step->limit, 0.03f);
+}
+
+TEST (CompactClustering, PiecesOfAHollowMayTouchWhereverTheyDo)
+{
+  // The inside of a sphere of 50 mm, in two halves.
+  Frame frame = shapes::emptyFrame (64, 48);
+  Image<int> labels (64, 48, 1);
+  const Vector3d middle (0, 0, 0.75);
+  for (int row = 0; row < 48; ++row)
+    for (int column = 0; column < 64; ++column)
+    {
+      const double x = 0.001 * (column - 31.5), y = 0.001 * (row - 23.5);
+      const Vector3d point (x, y, middle.z () + std::sqrt (0.0025 - x * x - y * y));
+      labels (column, row) = column < 32 ? 1 : 2;
+      frame.set (frame.index (column, row), point, (middle - point).normalized ());
+    }
+  const Case bowl (frame, labels);
+  ClusteringParameters parameters = plain ();
+  parameters.minimum_convexity = -1.5f;
+  parameters.compactness_threshold = 0.1f;
+  parameters.minimum_contact = 0.9f;
+  parameters.recognize_hollows = true;
+  EXPECT_EQ (bowl.grow (15, 24, parameters).patches, (std::vector<int>{1, 2}));
+  parameters.recognize_hollows = false;
+  EXPECT_EQ (bowl.grow (15, 24, parameters).patches, (std::vector<int>{1}));
+}
+
 TEST (CompactClustering, NoiseWidensTheCompactnessLimit)
 {
   const Case sides = valley ();

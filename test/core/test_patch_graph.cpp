@@ -357,86 +357,13 @@ TEST (PointMoments, TellHowFarPointsLieOffAPlane)
   twice += moments;
   EXPECT_EQ (twice.count, 8);
   EXPECT_NEAR (twice.flatness (), moments.flatness (), 1e-9);
-}
-
-namespace
-{
-
-/** \brief Whether two halves of 40 by 30 pixels of 1 mm stay connected. \param[in] depth_left,depth_right of column and row */
-template <typename Left, typename Right>
-bool
-staysConnected (const Left& depth_left, const Right& depth_right, const PatchGraphParameters& parameters = PatchGraphParameters (),
-                const std::vector<std::uint8_t>& excluded = {})
-{
-  Frame frame = shapes::emptyFrame (80, 30);
-  PlanarPatches patches;
-  patches.labels.assign (80, 30, 1);
-  for (int row = 0; row < 30; ++row)
-    for (int column = 0; column < 80; ++column)
-    {
-      if (column >= 40)
-        patches.labels (column, row) = 2;
-      const double depth = column < 40 ? depth_left (column - 39.5, row - 14.5) : depth_right (column - 39.5, row - 14.5);
-      frame.set (frame.index (column, row), {0.001 * (column - 39.5), 0.001 * (row - 14.5), depth}, {0, 0, -1});
-    }
-  describePatches (frame.cloud, patches);
-  PatchGraph graph = graphOf (frame, patches.labels, 2, parameters);
-  EXPECT_GT (graph.border (1, 2).connectedShare (), 0.9f) << "before";
-  disconnectSteps (patches, excluded, parameters, graph);
-  return (graph.border (1, 2).connected > 0);
-}
-
-const auto level = [] (double, double) { return (1.0); };
-
-} // namespace
-
-TEST (DisconnectSteps, APlaneThatGoesOnStaysConnected)
-{
-  EXPECT_TRUE (staysConnected (level, level));
-}
-
-TEST (DisconnectSteps, OneSideSetBackIsApart)
-{
-  EXPECT_FALSE (staysConnected (level, [] (double, double) { return (1.004); })) << "4 mm behind";
-  EXPECT_FALSE (staysConnected ([] (double, double) { return (1.004); }, level));
-  EXPECT_TRUE (staysConnected (level, [] (double, double) { return (1.001); })) << "1 mm is within the tolerance of 2 mm";
-  PatchGraphParameters parameters;
-  parameters.step_tolerance = 0.0005f;
-  EXPECT_FALSE (staysConnected (level, [] (double, double) { return (1.001); }, parameters));
-}
-
-TEST (DisconnectSteps, AnEdgeOrACreaseIsNoStep)
-{
-  const auto falls = [] (double column, double) { return (1.0 + 0.001 * std::abs (column)); };
-  const auto rises = [] (double column, double) { return (1.0 - 0.001 * std::abs (column)); };
-  EXPECT_TRUE (staysConnected (falls, falls)) << "45 degrees to either side";
-  EXPECT_TRUE (staysConnected (rises, rises));
-  EXPECT_TRUE (staysConnected (level, falls));
-}
-
-TEST (DisconnectSteps, OneSideTurnedAboutTheLineAcrossTheBorderIsApart)
-{
-  // By 20 degrees: the planes meet in one point of the border of 30 mm; the mean distance is 0, its deviation 3 mm.
-  EXPECT_FALSE (staysConnected (level, [] (double, double row) { return (1.0 + 0.00036 * row); }));
-  EXPECT_TRUE (staysConnected (level, [] (double, double row) { return (1.0 + 0.0001 * row); })) << "by 6 degrees: 0.9 mm";
-}
-
-TEST (DisconnectSteps, RoughSurfacesNeedALargerStep)
-{
-  // Waves of 3 mm (rms) across the border: 2 mm + 3 mm.
-  const auto rough = [] (double column, double row) { return (1.0 + 0.0042 * std::sin (0.5 * column) * std::sin (0.9 * row)); };
-  EXPECT_TRUE (staysConnected (rough, [&] (double column, double row) { return (rough (column, row) + 0.0025); }));
-}
-
-TEST (DisconnectSteps, IsOffWithoutRoughnessAndForExcludedPatches)
-{
-  const auto behind = [] (double, double) { return (1.004); };
-  PatchGraphParameters parameters;
-  parameters.step_roughness = 0.0f;
-  EXPECT_TRUE (staysConnected (level, behind, parameters));
-  EXPECT_TRUE (staysConnected (level, behind, PatchGraphParameters (), {0, 0, 1}));
-  EXPECT_TRUE (staysConnected (level, behind, PatchGraphParameters (), {0, 1, 0}));
-  EXPECT_FALSE (staysConnected (level, behind, PatchGraphParameters (), {0, 0, 0}));
+  PointMoments lifted;
+  for (int i = 0; i < 3; ++i)
+    lifted.add ({static_cast<float> (i * i), static_cast<float> (i), 2.0f});
+  twice += lifted;
+  twice -= lifted;
+  EXPECT_EQ (twice.count, 8);
+  EXPECT_NEAR (twice.flatness (), moments.flatness (), 1e-6);
 }
 
 TEST (PatchGraph, OfNothingIsEmpty)

@@ -46,6 +46,8 @@ struct ClusteringParameters
   HullMethod hull_method{HullMethod::growing};
   FaceDistance face_distance{FaceDistance::plane};
   float minimum_connection{0.5f};     /**< share of the common border that is connected in 3D, 0..1; 0: off */
+  float minimum_contact{0.02f};       /**< share of the shorter of both outlines that is such a border, 0..1: patches of two objects
+                                        touch at a corner; those of a hollow may as well; 0: off */
   float minimum_convexity{-0.2f};     /**< of the common border, -2 (concave) .. 2; -2: off */
   float color_convexity{0.3f};        /**< how much more convexity differing colours ask for, and like colours spare */
   bool stay_off_support{true};        /**< patches of a supporting plane are not added */

@@ -20,7 +20,9 @@ struct PatchGraphParameters
   float step_tolerance{0.002f};      /**< two patches whose planes miss their common border by more are a step apart and not
                                        connected, metres ... */
   float step_roughness{1.0f};        /**< ... plus this many times how far their points lie off their planes (rms); 0: no patches
-                                       are told apart by that */
+                                       are told apart by that, nor cut */
+  float step_color{0.7f};            /**< within a patch, whose two sides look alike, that limit is larger by this share, and
+                                       smaller by it where they have no colours in common, 0..1 */
 };
 
 /** \brief Sums over points, from which follows how far they lie off a plane. They add up. */
@@ -34,6 +36,9 @@ struct PCL_ATTENTION_EXPORTS PointMoments
   add (const Eigen::Vector3f& point);
   PointMoments&
   operator+= (const PointMoments& other);
+  /** \param[in] other a part of these */
+  PointMoments&
+  operator-= (const PointMoments& other);
 
   /** \brief Mean and standard deviation of their signed distances from the plane through a point, metres; 0 without points. */
   std::pair<double, double>
@@ -105,14 +110,5 @@ struct PCL_ATTENTION_EXPORTS PatchGraph
 PCL_ATTENTION_EXPORTS PatchGraph
 buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels, int count,
                  const PatchGraphParameters& parameters, int threads = 1);
-
-/** \brief Take apart what only seems connected. Two patches of one surface meet where their planes do, whether in an edge or as a
-  * plane that goes on; the sides of two boxes, one set back behind the other or turned a little, do not.
-  * \param[in] patches whose graph it is
-  * \param[in] excluded 1 at [label] for patches whose planes say nothing, such as a bent table; may be empty
-  * \param[in,out] graph connected becomes 0 on the borders of a step */
-PCL_ATTENTION_EXPORTS void
-disconnectSteps (const PlanarPatches& patches, const std::vector<std::uint8_t>& excluded, const PatchGraphParameters& parameters,
-                 PatchGraph& graph);
 
 } // namespace pcl_attention

@@ -26,6 +26,8 @@ struct SegmentationParameters
                                      a supporting plane only what stands on it */
   int coverage_size{100};          /**< smaller patches do not, pixels */
   int minimum_segment_size{50};    /**< smaller segments are no objects, pixels */
+  float minimum_certain_area{4e-4f}; /**< nor are those whose frontal area times their confidence is smaller, m^2: shreds at holes of
+                                        the depth and slivers between objects */
 };
 
 /** \brief The settings of all stages. */
@@ -44,6 +46,10 @@ struct AttentionParameters
   /** \brief The paper's text with the repairs that its literal reading needs. */
   PCL_ATTENTION_EXPORTS static AttentionParameters
   paper ();
+
+  /** \brief Segment visible pieces, however small, instead of whole objects: see \ref ClusteringParameters::visiblePieces. */
+  PCL_ATTENTION_EXPORTS void
+  visiblePieces ();
 };
 
 /** \brief Wall time of every stage, milliseconds. */
@@ -231,6 +237,12 @@ private:
   using Priority = std::tuple<float, bool, float>;
   Priority
   priorityOf (std::size_t place, float size_weight) const;
+  /** \brief What its pixels cover at their depth, facing the camera, m^2; the focal length must be known. */
+  float
+  frontalArea (const AttentionSegment& segment) const;
+  /** \brief Whether a segment may be an object. */
+  bool
+  isLargeEnough (const AttentionSegment& segment) const;
   /** \brief 0..1: a fragment that happens to be salient does not come before the objects. */
   float
   sizeWeight (const AttentionSegment& segment) const;

@@ -46,6 +46,7 @@ struct PlanarPatch
   Eigen::Vector3f centroid{Eigen::Vector3f::Zero ()}; /**< metres, sensor frame */
   Eigen::Vector3f normal{Eigen::Vector3f::Zero ()};   /**< unit, of the plane fitted to its points, towards the viewpoint */
   float rms{0.0f};                                  /**< of the plane fit, metres */
+  std::vector<int> cuts; /**< steps along which it was cut from others: k on one side of a step, -k on the other */
 };
 
 /** \brief All patches of a cloud. */

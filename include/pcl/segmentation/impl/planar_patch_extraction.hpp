@@ -4,6 +4,8 @@
 #include <pcl/segmentation/impl/attention_base.hpp>
 #include <pcl/segmentation/planar_patch_extraction.h>
 
+#include <pcl_attention/core/patch_steps.h>
+
 namespace pcl
 {
 
@@ -17,6 +19,7 @@ PlanarPatchExtraction<PointT>::extract (std::vector<pcl::PointIndices>& patches)
     // Those of the pipeline would already be cut along the planes of the background.
     pcl_attention::extractPlanarPatches (pipeline_.cloud (), pipeline_.normals (), this->getPatchParameters (),
                                          patches_);
+    pcl_attention::cutAtSteps (pipeline_.cloud (), {}, getPatchGraphParameters (), patches_);
     for (const pcl_attention::PlanarPatch& patch : patches_.patches)
     {
       patches.emplace_back ();
