@@ -133,18 +133,25 @@ public:
     }
   }
 
-  /** \brief The cut that leaves the least residual. */
+  /** \brief The cut that leaves the least residual, of some that are spread over the patch.
+    * \return nothing before it where no cut leaves enough pixels on both sides */
   Cut
-  best () const
+  coarse () const
   {
-    constexpr int directions = 8, finer = 4;
-    constexpr double pi = 3.14159265358979, apart = pi / directions;
     Cut best;
-    double angle = 0.0;
     for (int i = 0; i < directions; ++i)
-      if (tryDirection (i * apart, 16, best))
-        angle = i * apart;
-    for (int i = 1 - finer; best.before.count > 0 && i < finer; ++i)
+      tryDirection (i * apart, 16, best);
+    return (best);
+  }
+
+  /** \brief The same among cuts that lie more densely, in directions near a cut's. */
+  Cut
+  refined (const Cut& cut) const
+  {
+    constexpr int finer = 4;
+    Cut best = cut;
+    const double angle = std::atan2 (cut.line.direction.y (), cut.line.direction.x ());
+    for (int i = 1 - finer; i < finer; ++i)
       tryDirection (angle + i * apart / finer, 32, best);
     return (best);
   }
@@ -206,8 +213,11 @@ private:
   double
   beyondOf (const Line& line, std::size_t i) const { return (line.direction.dot (places_[i]) - line.offset); }
 
-  /** \brief Whether a cut across this direction, at one of so many places, is better. \param[in,out] best then it */
-  bool
+  static constexpr int directions = 8;
+  static constexpr double apart = 3.14159265358979 / directions; /**< radians */
+
+  /** \brief Try the cuts across a direction at so many places. \param[in,out] best the best one so far */
+  void
   tryDirection (double angle, int parts, Cut& best) const
   {
     const Eigen::Vector2d direction (std::cos (angle), std::sin (angle));
@@ -220,12 +230,11 @@ private:
     }
     const double width = (high - low) / parts;
     if (!(width > 0.0))
-      return (false);
+      return;
     std::vector<PointMoments> strips (parts);
     for (std::size_t i = 0; i < points_.size (); ++i)
       strips[std::min (parts - 1, static_cast<int> ((direction.dot (places_[i]) - low) / width))].add (points_[i]);
     PointMoments before, behind = all_;
-    bool is_better = false;
     for (int k = 1; k < parts; ++k)
     {
       before += strips[k - 1];
@@ -236,9 +245,7 @@ private:
       if (residual >= best.residual)
         continue;
       best = {{direction, low + k * width}, residual, before, behind, high - low};
-      is_better = true;
     }
-    return (is_better);
   }
 
   std::vector<Eigen::Vector2d> places_; /**< column, row */
@@ -272,14 +279,19 @@ stepIn (const OrganizedCloud& cloud, const pcl::Indices& pixels, const PatchGrap
   if (pixels.size () < 2 * smallest_side)
     return (std::nullopt);
   const CutSearch search (cloud, pixels);
-  const Cut cut = search.best ();
-  if (cut.before.count == 0)
+  const auto misses = [&] (const Cut& cut, double share_of_limit) {
+    double miss;
+    const auto [first, second] = search.facesAt (cut, miss);
+    return (miss > share_of_limit * limitOf (parameters, first, second));
+  };
+  // A coarse cut beside the step shows less of it.
+  constexpr double shown_by_a_coarse_cut = 0.5;
+  const double least = 1.0 - parameters.step_color; // with all the help of colours
+  const Cut coarse = search.coarse ();
+  if (coarse.before.count == 0 || !misses (coarse, shown_by_a_coarse_cut * least))
     return (std::nullopt);
-  double miss;
-  const auto [first, second] = search.facesAt (cut, miss);
-  const double limit = limitOf (parameters, first, second);
-  if (miss <= limit * (1.0 - parameters.step_color) ||
-      miss <= limit * (1.0 - parameters.step_color * contrastAcross (cloud, pixels, cut.line)))
+  const Cut cut = search.refined (coarse);
+  if (!misses (cut, least) || !misses (cut, 1.0 - parameters.step_color * contrastAcross (cloud, pixels, cut.line)))
     return (std::nullopt);
   return (cut.line);
 }
