@@ -115,6 +115,48 @@ struct Cut
   double extent{0.0}; /**< of the points across the line, pixels */
 };
 
+/** \brief \ref PointMoments laid out flat, for the many that a search adds up. */
+struct FlatMoments
+{
+  double count{0.0};
+  std::array<double, 9> sums{}; /**< x, y, z, xx, xy, xz, yy, yz, zz */
+
+  FlatMoments () = default;
+  explicit FlatMoments (const Eigen::Vector3f& point) : count (1.0)
+  {
+    const double x = point.x (), y = point.y (), z = point.z ();
+    sums = {x, y, z, x * x, x * y, x * z, y * y, y * z, z * z};
+  }
+
+  FlatMoments&
+  operator+= (const FlatMoments& other)
+  {
+    count += other.count;
+    for (std::size_t i = 0; i < sums.size (); ++i)
+      sums[i] += other.sums[i];
+    return (*this);
+  }
+
+  FlatMoments&
+  operator-= (const FlatMoments& other)
+  {
+    count -= other.count;
+    for (std::size_t i = 0; i < sums.size (); ++i)
+      sums[i] -= other.sums[i];
+    return (*this);
+  }
+
+  PointMoments
+  moments () const
+  {
+    PointMoments result;
+    result.count = static_cast<int> (count);
+    result.sum << sums[0], sums[1], sums[2];
+    result.square << sums[3], sums[4], sums[5], sums[4], sums[6], sums[7], sums[5], sums[7], sums[8];
+    return (result);
+  }
+};
+
 /** \brief Evenly taken points of a patch and the ways to cut them. */
 class CutSearch
 {
@@ -129,7 +171,8 @@ public:
       const pcl::index_t index = pixels[sampleAt (i, count, pixels.size ())];
       places_.emplace_back (index % cloud.width, index / cloud.width);
       points_.push_back (pointAt (cloud, index));
-      all_.add (points_.back ());
+      flat_.emplace_back (points_.back ());
+      all_ += flat_.back ();
     }
   }
 
@@ -231,26 +274,27 @@ private:
     const double width = (high - low) / parts;
     if (!(width > 0.0))
       return;
-    std::vector<PointMoments> strips (parts);
+    std::vector<FlatMoments> strips (parts);
     for (std::size_t i = 0; i < points_.size (); ++i)
-      strips[std::min (parts - 1, static_cast<int> ((direction.dot (places_[i]) - low) / width))].add (points_[i]);
-    PointMoments before, behind = all_;
+      strips[std::min (parts - 1, static_cast<int> ((direction.dot (places_[i]) - low) / width))] += flat_[i];
+    FlatMoments before, behind = all_;
     for (int k = 1; k < parts; ++k)
     {
       before += strips[k - 1];
       behind -= strips[k - 1];
       if (before.count < smallest_ || behind.count < smallest_)
         continue;
-      const double residual = residualOf (before) + residualOf (behind);
+      const double residual = residualOf (before.moments ()) + residualOf (behind.moments ());
       if (residual >= best.residual)
         continue;
-      best = {{direction, low + k * width}, residual, before, behind, high - low};
+      best = {{direction, low + k * width}, residual, before.moments (), behind.moments (), high - low};
     }
   }
 
   std::vector<Eigen::Vector2d> places_; /**< column, row */
   std::vector<Eigen::Vector3f> points_;
-  PointMoments all_;
+  std::vector<FlatMoments> flat_; /**< of each point */
+  FlatMoments all_;
   int smallest_; /**< points of a part */
 };
 
