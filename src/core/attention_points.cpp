@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "largest_value.h"
+
 #include <pcl_attention/core/attention_points.h>
 #include <pcl_attention/core/winner_take_all.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <tuple>
 
 namespace pcl_attention
@@ -104,22 +107,20 @@ extractFromSymmetryLines (const Image<float>& saliency, const std::vector<std::u
 {
   const int width = saliency.width, height = saliency.height;
   Image<float> map = saliency;
-  float maximum = 0.0f;
   for (float& value : map.data)
-  {
-    if (!std::isfinite (value) || value < 0.0f)
-      value = 0.0f;
-    maximum = std::max (maximum, value);
-  }
+    value = (value > 0.0f) & (value <= std::numeric_limits<float>::max ()) ? value : 0.0f; // no branch: several at a time
+  const float maximum = largestValue (map), threshold = parameters.pixel_threshold * maximum;
   Image<std::uint8_t> mask (width, height, 0);
   for (std::size_t index = 0; index < map.size (); ++index)
-    mask[index] = map[index] > parameters.pixel_threshold * maximum;
+    mask[index] = map[index] > threshold;
   const int count = labelConnectedComponents (mask, result.components);
   result.mean_saliency = meanSaliency (map, result.components, count);
 
+  std::vector<std::uint8_t> is_salient (count + 1, 0);
+  for (int component = 0; component < count; ++component)
+    is_salient[component + 1] = result.mean_saliency[component] > parameters.component_threshold * maximum;
   for (std::size_t index = 0; index < mask.size (); ++index)
-    if (mask[index])
-      mask[index] = result.mean_saliency[result.components[index] - 1] > parameters.component_threshold * maximum;
+    mask[index] = is_salient[result.components[index]];
   result.skeleton = thin (mask);
 
   std::vector<std::vector<Pixel>> lines (count);

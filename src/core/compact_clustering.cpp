@@ -348,6 +348,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   if (border.connectedShare () < parameters_.minimum_connection)
     return (refuse (GrowthConstraint::connection, border.connectedShare (), parameters_.minimum_connection));
 
+  const float difference = chiSquare (piece.histogram, histograms_[label]);
   bool hollow = false;
   if (parameters_.minimum_convexity > -2.0f)
   {
@@ -365,16 +366,16 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
         return (refuse (GrowthConstraint::convexity, -2.0f, limit));
     }
     if (cloud_.hasColor ())
-      limit += parameters_.color_convexity *
-               std::clamp ((chiSquare (piece.histogram, histograms_[label]) - 0.5f) / 0.5f, -1.0f, 1.0f);
+      limit += parameters_.color_convexity * (2.0f * difference - 1.0f);
     if (border.convexity () < limit)
       return (refuse (GrowthConstraint::convexity, border.convexity (), limit));
   }
   // The pieces of a hollow are told by their shape, wherever they meet.
   const float outline = static_cast<float> (std::min (piece.perimeter, graph_.perimeter[label]));
   const float contact = outline > 0.0f ? static_cast<float> (border.connected) / outline : 1.0f;
-  if (!hollow && contact < parameters_.minimum_contact)
-    return (refuse (GrowthConstraint::connection, contact, parameters_.minimum_contact));
+  const float likeness = 1.0f - parameters_.color_compactness * std::max (0.0f, 2.0f * difference - 1.0f);
+  if (!hollow && contact * likeness < parameters_.minimum_contact)
+    return (refuse (GrowthConstraint::connection, contact * likeness, parameters_.minimum_contact));
   if (parameters_.color_constraint != ColorConstraint::off && !color_bins_.empty ())
   {
     const auto [inside, outside] = colorDistances (label, piece);
@@ -389,7 +390,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   together.push_back (label);
   const float kappa = compactnessOf (together, united.visible (), hollow);
   // Noise moves the hull outwards, the points not: their mean distance grows by as much.
-  const float limit = withNoise (parameters_.compactness_threshold, patches_.patches[label - 1].centroid.z ());
+  const float limit = likeness * withNoise (parameters_.compactness_threshold, patches_.patches[label - 1].centroid.z ());
   if (kappa >= limit)
     return (refuse (GrowthConstraint::compactness, kappa, limit));
   step.value = kappa;
@@ -527,7 +528,8 @@ CompactClustering::isSame (const Piece& piece, const Piece& other) const
 bool
 CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
 {
-  if (parameters_.handle_size * piece.pixels > object.pixels || piece.hollowness > parameters_.certain_hollowness)
+  if (parameters_.handle_size * piece.pixels > object.pixels || piece.hollowness > parameters_.certain_hollowness ||
+      chiSquare (object.histogram, piece.histogram) > parameters_.joined_color)
     return (false);
   // The contour is counted in four directions, so that a strip of w pixels has four pairs for every w pixels of its area.
   const float depth = patches_.patches[piece.patches.front () - 1].centroid.z ();
@@ -635,7 +637,7 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
   };
   const Eigen::Vector3f a = centroidOf (object.patches), b = centroidOf (piece.patches);
   if ((a - b).norm () > parameters_.occluded_distance ||
-      chiSquare (object.histogram, piece.histogram) > parameters_.occluded_color || !shareSurface (object, piece))
+      !goesOnIn (object, piece, chiSquare (object.histogram, piece.histogram) <= parameters_.joined_color))
     return (false);
   const Eigen::Vector2f from = centerPixel (object), to = centerPixel (piece);
   const int steps = static_cast<int> ((to - from).norm ());
@@ -664,11 +666,12 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
 }
 
 bool
-CompactClustering::shareSurface (const Piece& piece, const Piece& other) const
+CompactClustering::goesOnIn (const Piece& piece, const Piece& other, bool look_alike) const
 {
   constexpr int large = 5; // of a piece the fifth part
-  constexpr float parallel = 0.95f;
-  bool goes_on = false;
+  constexpr float parallel = 0.95f, across_each_other = 0.5f;
+  Eigen::Vector3f first_face = Eigen::Vector3f::Zero ();
+  bool two_faces_go_on = false;
   for (const int label : piece.patches)
     for (const int other_label : other.patches)
     {
@@ -676,33 +679,34 @@ CompactClustering::shareSurface (const Piece& piece, const Piece& other) const
       if (large * static_cast<int> (a.pixels.size ()) < piece.pixels || large * static_cast<int> (b.pixels.size ()) < other.pixels ||
           a.normal.dot (b.normal) < parallel)
         continue;
-      const Eigen::Vector3f across = b.centroid - a.centroid;
-      if (std::max (std::abs (a.normal.dot (across)), std::abs (b.normal.dot (across))) >
+      // The larger patch tells its plane better.
+      const Eigen::Vector3f& normal = a.pixels.size () > b.pixels.size () ? a.normal : b.normal;
+      if (std::abs (normal.dot (b.centroid - a.centroid)) >
           withNoise (parameters_.surface_tolerance, std::max (a.centroid.z (), b.centroid.z ())))
         return (false);
-      goes_on = true;
+      two_faces_go_on = two_faces_go_on || (!first_face.isZero () && std::abs (first_face.dot (a.normal)) < across_each_other);
+      if (first_face.isZero ())
+        first_face = a.normal;
     }
-  return (goes_on);
+  return (look_alike ? !first_face.isZero () : two_faces_go_on);
 }
 
 bool
 CompactClustering::joinPiece (Piece& object)
 {
-  // Neighbours first, then what lies behind a common neighbour.
+  // Neighbours first, then what lies beyond them.
   std::set<int> seen;
-  std::vector<const Piece*> neighbors, beyond;
-  const auto collect = [&] (const std::map<int, PatchBorder>& borders, std::vector<const Piece*>& pieces) {
-    for (const auto& [label, border] : borders)
-    {
-      if (object.member[label] || seen.count (label) || (parameters_.stay_off_support && isSupport (label)))
-        continue;
-      const Piece& piece = pieceAt (label);
-      seen.insert (piece.patches.begin (), piece.patches.end ());
-      if (2 * commonPixels (object, piece) < piece.pixels)
-        pieces.push_back (&piece);
-    }
+  const auto collect = [&] (int label, std::vector<const Piece*>& pieces) {
+    if (object.member[label] || seen.count (label) || (parameters_.stay_off_support && isSupport (label)))
+      return;
+    const Piece& piece = pieceAt (label);
+    seen.insert (piece.patches.begin (), piece.patches.end ());
+    if (2 * commonPixels (object, piece) < piece.pixels)
+      pieces.push_back (&piece);
   };
-  collect (object.borders, neighbors);
+  std::vector<const Piece*> neighbors, around;
+  for (const auto& border : object.borders)
+    collect (border.first, neighbors);
   const auto join = [&] (const Piece& piece) {
     for (const int label : piece.patches)
       if (!object.member[label])
@@ -725,9 +729,12 @@ CompactClustering::joinPiece (Piece& object)
   }
   if (!parameters_.join_occluded)
     return (false);
-  for (const Piece* piece : neighbors)
-    collect (piece->borders, beyond);
-  for (const Piece* piece : beyond)
+  // The shadow of an occluder may be so wide that it has no border with what it hides.
+  const Eigen::Vector3f center = centroidOf (object.patches);
+  for (const int label : seeds_)
+    if ((patches_.patches[label - 1].centroid - center).norm () <= parameters_.occluded_distance)
+      collect (label, around);
+  for (const Piece* piece : around)
     if (isBehindSameOccluder (object, *piece))
       return (join (*piece));
   return (false);

@@ -165,7 +165,8 @@ makeTable ()
     .number ("step_roughness", &PatchGraphParameters::step_roughness, 0, 100, "", "",
              "... plus this many times how far their points lie off their planes; 0: off")
     .number ("step_color", &PatchGraphParameters::step_color, 0, 1, "share", "",
-             "within a patch that limit is larger by this where both sides look alike, smaller where colours differ");
+             "within a patch that limit is larger by this where both sides look alike, smaller where colours differ; "
+             "half of that between patches");
 
   rowsOf (table, "support", &P::support)
     .number ("support_minimum_area", &SupportParameters::minimum_area, 0, 100, "m^2", "", "of a supporting plane")
@@ -204,6 +205,8 @@ makeTable ()
     .toggle ("stay_off_support", &ClusteringParameters::stay_off_support, "", "patches of a supporting plane are not added")
     .number ("color_convexity", &ClusteringParameters::color_convexity, 0, 2, "", "",
              "how much more convexity differing colours ask for, and like colours spare")
+    .number ("color_compactness", &ClusteringParameters::color_compactness, 0, 1, "share", "",
+             "how much smaller the compactness threshold is, and how much less contact counts, for other colours")
     .toggle ("recognize_hollows", &ClusteringParameters::recognize_hollows, "",
              "patches that curve inwards together are one hollow, concave as their borders are")
     .number ("minimum_hollowness", &ClusteringParameters::minimum_hollowness, -1, 1, "", "",
@@ -219,7 +222,8 @@ makeTable ()
              "nor is what is larger than this part (1 / n) of the object")
     .number ("occluded_distance", &ClusteringParameters::occluded_distance, 0, 100, "m", "",
              "pieces of an object behind an occluder are no farther apart")
-    .number ("occluded_color", &ClusteringParameters::occluded_color, 0, 1, "", "", "nor are their colours, chi-square")
+    .number ("joined_color", &ClusteringParameters::joined_color, 0, 1, "", "",
+             "chi-square of the colours of pieces behind an occluder of which one face goes on, and of a handle and its object")
     .toggle ("join_hollows", &ClusteringParameters::join_hollows, "",
              "join the inside of a hollow and the wall before it; off with -parts")
     .toggle ("join_handles", &ClusteringParameters::join_handles, "",

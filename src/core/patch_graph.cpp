@@ -95,15 +95,24 @@ private:
       addPair (at, distance);
   }
 
-  /** \brief Turn to the border of two labels, which most often is the one before. */
-  void
-  turnTo (int first, int second)
+  /** \brief A border of the graph. */
+  struct Border
   {
-    if (border_ && names_ == std::make_pair (first, second))
-      return;
-    names_ = {first, second};
-    border_ = &graph_.borders[names_];
-    points_ = &graph_.points[names_];
+    std::pair<int, int> names;
+    PatchBorder* sums{nullptr};
+    BorderPoints* points{nullptr};
+  };
+
+  /** \brief The border of two labels. */
+  const Border&
+  borderOf (int first, int second)
+  {
+    // A row crosses the same borders as the row before.
+    Border& border = recent_[static_cast<std::size_t> (first * 31 + second) % recent_.size ()];
+    const std::pair<int, int> names (first, second);
+    if (!border.sums || border.names != names)
+      border = {names, &graph_.borders[names], &graph_.points[names]};
+    return (border);
   }
 
   Eigen::Vector3f
@@ -155,8 +164,9 @@ private:
       std::swap (first_at, second_at);
       step = {-step.column, -step.row};
     }
-    turnTo (labels_[first], labels_[second]);
-    PatchBorder& border = *border_;
+    const Border& found = borderOf (labels_[first], labels_[second]);
+    PatchBorder& border = *found.sums;
+    BorderPoints& points = *found.points;
     ++border.pairs;
     const Eigen::Vector3f a = point (first), b = point (second);
     const float depth = std::max (a.z (), b.z ());
@@ -169,14 +179,14 @@ private:
       const bool first_in_front = a.norm () < b.norm ();
       ++(first_in_front ? border.first_in_front : border.second_in_front);
       if (first_in_front)
-        points_->first_in_front.add (a);
+        points.first_in_front.add (a);
       else
-        points_->second_in_front.add (b);
+        points.second_in_front.add (b);
       return;
     }
     ++border.connected;
-    points_->first_connected.add (a);
-    points_->second_connected.add (b);
+    points.first_connected.add (a);
+    points.second_connected.add (b);
     // Normals at the very border are mixed from both sides; one of them may be, on a strip along an edge.
     constexpr int deep = 2;
     int reached_first, reached_second;
@@ -200,9 +210,7 @@ private:
   float focal_length_; /**< pixels */
   float depth_noise_;  /**< standard deviation at 1 m, metres */
   Pixel step_{0, 0}; /**< from a pixel to the next along the lines */
-  std::pair<int, int> names_;
-  PatchBorder* border_{nullptr};
-  BorderPoints* points_{nullptr};
+  std::array<Border, 256> recent_; /**< where borders that were met last are in the graph */
 };
 
 template <typename Sums> void
@@ -234,15 +242,6 @@ PointMoments::operator+= (const PointMoments& other)
   count += other.count;
   sum += other.sum;
   square += other.square;
-  return (*this);
-}
-
-PointMoments&
-PointMoments::operator-= (const PointMoments& other)
-{
-  count -= other.count;
-  sum -= other.sum;
-  square -= other.square;
   return (*this);
 }
 

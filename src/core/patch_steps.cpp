@@ -35,15 +35,6 @@ covarianceOf (const PointMoments& points)
   return (points.square / points.count - mean * mean.transpose ());
 }
 
-/** \brief Sum of the squared distances of the points from the plane that fits them best. */
-double
-residualOf (const PointMoments& points)
-{
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect (covarianceOf (points), Eigen::EigenvaluesOnly);
-  return (points.count * std::max (0.0, solver.eigenvalues () (0)));
-}
-
 Plane
 planeOf (const PointMoments& points)
 {
@@ -96,6 +87,40 @@ sampleAt (std::size_t sample, std::size_t samples, std::size_t pixels)
                                     static_cast<double> (samples)));
 }
 
+/** \brief At most 400 pixels, which tell what a patch is like. */
+pcl::Indices
+samplesOf (const pcl::Indices& pixels)
+{
+  const std::size_t count = std::min<std::size_t> (400, pixels.size ());
+  pcl::Indices samples;
+  samples.reserve (count);
+  for (std::size_t sample = 0; sample < count; ++sample)
+    samples.push_back (pixels[sampleAt (sample, count, pixels.size ())]);
+  return (samples);
+}
+
+/** \brief -1 of the same colours, 1 of none in common. */
+double
+contrastOf (const ColorHistogram& first, const ColorHistogram& second)
+{
+  return (2.0 * chiSquare (first, second) - 1.0);
+}
+
+/** \brief The same of two patches; 0 without colour. */
+double
+contrastOf (const OrganizedCloud& cloud, const PlanarPatch& first, const PlanarPatch& second)
+{
+  if (!cloud.hasColor ())
+    return (0.0);
+  const auto colorsOf = [&] (const PlanarPatch& patch) {
+    ColorHistogram colors;
+    for (const pcl::index_t index : samplesOf (patch.pixels))
+      colors.add (colorBin (cloud.red[index], cloud.green[index], cloud.blue[index]));
+    return (colors);
+  };
+  return (contrastOf (colorsOf (first), colorsOf (second)));
+}
+
 /** \brief A line in the image. */
 struct Line
 {
@@ -111,25 +136,21 @@ struct Cut
 {
   Line line;
   double residual{std::numeric_limits<double>::infinity ()}; /**< of both parts, m^2 */
-  PointMoments before, behind;
-  double extent{0.0}; /**< of the points across the line, pixels */
+  double extent{0.0};    /**< of the points across the line, pixels */
+  double clearness{0.0}; /**< how far the faces on both sides miss the line, in limits; 0 far below */
 };
 
-/** \brief \ref PointMoments laid out flat, for the many that a search adds up. */
-struct FlatMoments
+/** \brief Sums over points of a patch, in coordinates of its plane: u and v in it, w off it. */
+struct LocalMoments
 {
   double count{0.0};
-  std::array<double, 9> sums{}; /**< x, y, z, xx, xy, xz, yy, yz, zz */
+  std::array<double, 9> sums{}; /**< u, v, w, uu, uv, uw, vv, vw, ww */
 
-  FlatMoments () = default;
-  explicit FlatMoments (const Eigen::Vector3f& point) : count (1.0)
-  {
-    const double x = point.x (), y = point.y (), z = point.z ();
-    sums = {x, y, z, x * x, x * y, x * z, y * y, y * z, z * z};
-  }
+  LocalMoments () = default;
+  LocalMoments (double u, double v, double w) : count (1.0), sums{u, v, w, u * u, u * v, u * w, v * v, v * w, w * w} {}
 
-  FlatMoments&
-  operator+= (const FlatMoments& other)
+  LocalMoments&
+  operator+= (const LocalMoments& other)
   {
     count += other.count;
     for (std::size_t i = 0; i < sums.size (); ++i)
@@ -137,8 +158,8 @@ struct FlatMoments
     return (*this);
   }
 
-  FlatMoments&
-  operator-= (const FlatMoments& other)
+  LocalMoments&
+  operator-= (const LocalMoments& other)
   {
     count -= other.count;
     for (std::size_t i = 0; i < sums.size (); ++i)
@@ -146,14 +167,15 @@ struct FlatMoments
     return (*this);
   }
 
-  PointMoments
-  moments () const
+  /** \brief Sum of the squares that the best w = a + b u + c v leaves. */
+  double
+  residual () const
   {
-    PointMoments result;
-    result.count = static_cast<int> (count);
-    result.sum << sums[0], sums[1], sums[2];
-    result.square << sums[3], sums[4], sums[5], sums[4], sums[6], sums[7], sums[5], sums[7], sums[8];
-    return (result);
+    const auto& [u, v, w, uu, uv, uw, vv, vw, ww] = sums;
+    const double a = uu - u * u / count, b = uv - u * v / count, c = vv - v * v / count;
+    const double d = uw - u * w / count, e = vw - v * w / count, all = ww - w * w / count;
+    const double determinant = a * c - b * b;
+    return (determinant > 0.0 ? std::max (0.0, all - (d * d * c - 2.0 * d * e * b + e * e * a) / determinant) : all);
   }
 };
 
@@ -161,33 +183,69 @@ struct FlatMoments
 class CutSearch
 {
 public:
-  CutSearch (const OrganizedCloud& cloud, const pcl::Indices& pixels)
+  CutSearch (const OrganizedCloud& cloud, const pcl::Indices& pixels, const PatchGraphParameters& parameters)
+  : cloud_ (cloud), parameters_ (parameters), samples_ (samplesOf (pixels))
   {
-    constexpr std::size_t enough = 400;
-    const std::size_t count = std::min (enough, pixels.size ());
-    smallest_ = static_cast<int> ((smallest_side * count + pixels.size () - 1) / pixels.size ());
-    for (std::size_t i = 0; i < count; ++i)
+    smallest_ = static_cast<int> ((smallest_side * samples_.size () + pixels.size () - 1) / pixels.size ());
+    PointMoments sums;
+    for (const pcl::index_t index : samples_)
     {
-      const pcl::index_t index = pixels[sampleAt (i, count, pixels.size ())];
       places_.emplace_back (index % cloud.width, index / cloud.width);
       points_.push_back (pointAt (cloud, index));
-      flat_.emplace_back (points_.back ());
-      all_ += flat_.back ();
+      sums.add (points_.back ());
+    }
+    const Plane plane = planeOf (sums);
+    const Eigen::Vector3f u = plane.normal.unitOrthogonal (), v = plane.normal.cross (u);
+    for (const Eigen::Vector3f& point : points_)
+    {
+      const Eigen::Vector3f local = point - plane.center;
+      local_.emplace_back (u.dot (local), v.dot (local), plane.normal.dot (local));
+      all_ += local_.back ();
     }
   }
 
-  /** \brief The cut that leaves the least residual, of some that are spread over the patch.
-    * \return nothing before it where no cut leaves enough pixels on both sides */
-  Cut
-  coarse () const
+  /** \brief The line of a step, if there is one. */
+  std::optional<Line>
+  step ()
   {
-    Cut best;
-    for (int i = 0; i < directions; ++i)
-      tryDirection (i * apart, 16, best);
-    return (best);
+    const Cut coarse = clearestCoarse ();
+    if (coarse.clearness == 0.0)
+      return (std::nullopt);
+    Cut fine = refined (coarse);
+    look (fine);
+    for (const Cut& cut : {fine, coarse})
+      if (cut.clearness > 1.0)
+        return (cut.line);
+    return (std::nullopt);
   }
 
-  /** \brief The same among cuts that lie more densely, in directions near a cut's. */
+private:
+  /** \brief Of cuts that are spread over the patch and leave about the least residual the one that shows a step most clearly. */
+  Cut
+  clearestCoarse ()
+  {
+    constexpr double about = 1.2, clearly_less = 0.7;
+    std::array<Cut, directions> cuts;
+    double least = std::numeric_limits<double>::infinity ();
+    for (int i = 0; i < directions; ++i)
+    {
+      tryDirection (i * apart, 16, cuts[i]);
+      least = std::min (least, cuts[i].residual);
+    }
+    const double most = std::max (least, std::min (about * least, clearly_less * all_.residual ()));
+    Cut clearest;
+    for (Cut& cut : cuts)
+    {
+      if (cut.extent == 0.0 || cut.residual > most)
+        continue;
+      look (cut);
+      if (cut.clearness > clearest.clearness)
+        clearest = cut;
+    }
+    return (clearest);
+  }
+
+  /** \brief The one that leaves the least residual of a cut and others that lie densely in directions near it. */
   Cut
   refined (const Cut& cut) const
   {
@@ -199,10 +257,9 @@ public:
     return (best);
   }
 
-  /** \brief The faces on both sides of a cut, as they are near the line.
-    * \param[out] miss how far they miss the line, metres */
-  std::pair<Plane, Plane>
-  facesAt (const Cut& cut, double& miss) const
+  /** \brief Find out how clearly a cut shows a step: the faces on both sides as they are near the line, and the colours. */
+  void
+  look (Cut& cut)
   {
     // Shares of the patch's extent. The cut is as exact as its search: what is nearer may be of either face.
     constexpr double uncertain = 0.015, border = 0.09, near = 0.3;
@@ -221,13 +278,38 @@ public:
       border_points.push_back (i);
     }
     constexpr int enough_for_a_plane = 12;
-    const bool is_narrow = before.count < enough_for_a_plane || behind.count < enough_for_a_plane;
-    const Plane first = planeOf (is_narrow ? cut.before : before), second = planeOf (is_narrow ? cut.behind : behind);
-    miss = std::hypot (stepOf (first, second, before_border, behind_border), twistOf (first, second, cut.line, border_points));
-    return {first, second};
+    if (before.count < enough_for_a_plane || behind.count < enough_for_a_plane)
+    {
+      before = behind = PointMoments ();
+      for (std::size_t i = 0; i < points_.size (); ++i)
+        (beyondOf (cut.line, i) < 0.0 ? before : behind).add (points_[i]);
+    }
+    const Plane first = planeOf (before), second = planeOf (behind);
+    const double miss =
+      std::hypot (stepOf (first, second, before_border, behind_border), twistOf (first, second, cut.line, border_points));
+    // A coarse cut beside the step shows less of it, and colours help.
+    constexpr double shown_by_a_coarse_cut = 0.5;
+    const double limit = limitOf (parameters_, first, second);
+    cut.clearness = 0.0;
+    if (miss > shown_by_a_coarse_cut * (1.0 - parameters_.step_color) * limit)
+      cut.clearness = miss / std::max (1e-9, limit * (1.0 - parameters_.step_color * contrastAcross (cut.line)));
   }
 
-private:
+  /** \brief -1 where both sides of a line have the same colours, 1 where they have none in common, 0 without colour. */
+  double
+  contrastAcross (const Line& line)
+  {
+    if (!cloud_.hasColor ())
+      return (0.0);
+    if (bins_.empty ())
+      for (const pcl::index_t index : samples_)
+        bins_.push_back (colorBin (cloud_.red[index], cloud_.green[index], cloud_.blue[index]));
+    std::array<ColorHistogram, 2> sides;
+    for (std::size_t i = 0; i < bins_.size (); ++i)
+      sides[beyondOf (line, i) < 0.0].add (bins_[i]);
+    return (contrastOf (sides[0], sides[1]));
+  }
+
   /** \brief How much the distance between two planes changes along a line, standard deviation. Across the line it changes at
     * every bend, and is not counted. */
   double
@@ -256,7 +338,7 @@ private:
   double
   beyondOf (const Line& line, std::size_t i) const { return (line.direction.dot (places_[i]) - line.offset); }
 
-  static constexpr int directions = 8;
+  static constexpr int directions = 8, most_parts = 32;
   static constexpr double apart = 3.14159265358979 / directions; /**< radians */
 
   /** \brief Try the cuts across a direction at so many places. \param[in,out] best the best one so far */
@@ -274,47 +356,32 @@ private:
     const double width = (high - low) / parts;
     if (!(width > 0.0))
       return;
-    std::vector<FlatMoments> strips (parts);
+    std::array<LocalMoments, most_parts> strips;
     for (std::size_t i = 0; i < points_.size (); ++i)
-      strips[std::min (parts - 1, static_cast<int> ((direction.dot (places_[i]) - low) / width))] += flat_[i];
-    FlatMoments before, behind = all_;
+      strips[std::min (parts - 1, static_cast<int> ((direction.dot (places_[i]) - low) / width))] += local_[i];
+    LocalMoments before, behind = all_;
     for (int k = 1; k < parts; ++k)
     {
       before += strips[k - 1];
       behind -= strips[k - 1];
       if (before.count < smallest_ || behind.count < smallest_)
         continue;
-      const double residual = residualOf (before.moments ()) + residualOf (behind.moments ());
-      if (residual >= best.residual)
-        continue;
-      best = {{direction, low + k * width}, residual, before.moments (), behind.moments (), high - low};
+      const double residual = before.residual () + behind.residual ();
+      if (residual < best.residual)
+        best = {{direction, low + k * width}, residual, high - low};
     }
   }
 
+  const OrganizedCloud& cloud_;
+  const PatchGraphParameters& parameters_;
+  pcl::Indices samples_;
   std::vector<Eigen::Vector2d> places_; /**< column, row */
   std::vector<Eigen::Vector3f> points_;
-  std::vector<FlatMoments> flat_; /**< of each point */
-  FlatMoments all_;
+  std::vector<std::uint8_t> bins_; /**< colours; empty until asked for */
+  std::vector<LocalMoments> local_; /**< of each point */
+  LocalMoments all_;
   int smallest_; /**< points of a part */
 };
-
-/** \brief -1 where both sides have the same colours, 1 where they have none in common, 0 without colour. */
-double
-contrastAcross (const OrganizedCloud& cloud, const pcl::Indices& pixels, const Line& line)
-{
-  if (!cloud.hasColor ())
-    return (0.0);
-  constexpr std::size_t enough = 400;
-  std::array<ColorHistogram, 2> sides;
-  const std::size_t count = std::min (enough, pixels.size ());
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const pcl::index_t index = pixels[sampleAt (i, count, pixels.size ())];
-    sides[line.isBefore (index % cloud.width, index / cloud.width)].add (
-      colorBin (cloud.red[index], cloud.green[index], cloud.blue[index]));
-  }
-  return (2.0 * chiSquare (sides[0], sides[1]) - 1.0);
-}
 
 /** \brief The line that a patch is to be cut along, if there is one. */
 std::optional<Line>
@@ -322,22 +389,7 @@ stepIn (const OrganizedCloud& cloud, const pcl::Indices& pixels, const PatchGrap
 {
   if (pixels.size () < 2 * smallest_side)
     return (std::nullopt);
-  const CutSearch search (cloud, pixels);
-  const auto misses = [&] (const Cut& cut, double share_of_limit) {
-    double miss;
-    const auto [first, second] = search.facesAt (cut, miss);
-    return (miss > share_of_limit * limitOf (parameters, first, second));
-  };
-  // A coarse cut beside the step shows less of it.
-  constexpr double shown_by_a_coarse_cut = 0.5;
-  const double least = 1.0 - parameters.step_color; // with all the help of colours
-  const Cut coarse = search.coarse ();
-  if (coarse.before.count == 0 || !misses (coarse, shown_by_a_coarse_cut * least))
-    return (std::nullopt);
-  const Cut cut = search.refined (coarse);
-  if (!misses (cut, least) || !misses (cut, 1.0 - parameters.step_color * contrastAcross (cloud, pixels, cut.line)))
-    return (std::nullopt);
-  return (cut.line);
+  return (CutSearch (cloud, pixels, parameters).step ());
 }
 
 struct Piece
@@ -426,8 +478,8 @@ cutAtSteps (const OrganizedCloud& cloud, const std::vector<std::uint8_t>& exclud
 }
 
 void
-disconnectSteps (const PlanarPatches& patches, const std::vector<std::uint8_t>& excluded, const PatchGraphParameters& parameters,
-                 PatchGraph& graph)
+disconnectSteps (const OrganizedCloud& cloud, const PlanarPatches& patches, const std::vector<std::uint8_t>& excluded,
+                 const PatchGraphParameters& parameters, PatchGraph& graph)
 {
   if (parameters.step_roughness <= 0.0f)
     return;
@@ -440,7 +492,9 @@ disconnectSteps (const PlanarPatches& patches, const std::vector<std::uint8_t>& 
     const Plane first_plane = planeOf (first), second_plane = planeOf (second);
     const double miss = std::hypot (stepOf (first_plane, second_plane, points.first_connected, points.second_connected),
                                     spreadOf (first_plane, second_plane, points.first_connected, points.second_connected));
-    if (wereCutApart (first, second) || miss > limitOf (parameters, first_plane, second_plane))
+    const double limit = limitOf (parameters, first_plane, second_plane), helped = 0.5 * parameters.step_color;
+    if (wereCutApart (first, second) || miss > limit ||
+        (miss > (1.0 - helped) * limit && miss > (1.0 - helped * contrastOf (cloud, first, second)) * limit))
       border.connected = 0;
   }
 }

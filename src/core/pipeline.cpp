@@ -124,6 +124,7 @@ AttentionParameters::paper ()
   parameters.clustering.minimum_convexity = -2.0f;
   parameters.clustering.stay_off_support = false;
   parameters.clustering.color_convexity = 0.0f;
+  parameters.clustering.color_compactness = 0.0f;
   parameters.clustering.recognize_hollows = false;
   parameters.clustering.visiblePieces ();
   parameters.segmentation.prefer_supported = false;
@@ -376,7 +377,7 @@ AttentionPipeline::preparePatches ()
     support_patches_ = cutAlongPlanes (cloud_, *supporting_planes_, parameters_.patches, *patches_);
   patch_graph_ = buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
                                   parameters_.patch_graph, threads_);
-  disconnectSteps (*patches_, support_patches_, parameters_.patch_graph, *patch_graph_);
+  disconnectSteps (cloud_, *patches_, support_patches_, parameters_.patch_graph, *patch_graph_);
   if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
     over_support_ = findPointsOver (cloud_, supporting_planes_->front (), threads_);
   for (SupportingPlane& plane : *supporting_planes_)
@@ -528,6 +529,8 @@ float
 AttentionPipeline::frontalArea (const AttentionSegment& segment) const
 {
   const float focal_length = clustering_->focalLength ();
+  if (focal_length <= 0.0f)
+    return (std::numeric_limits<float>::infinity ());
   float area = 0.0f;
   for (const pcl::index_t index : segment.indices)
     area += cloud_.z[index] * cloud_.z[index] / (focal_length * focal_length);
@@ -535,21 +538,18 @@ AttentionPipeline::frontalArea (const AttentionSegment& segment) const
 }
 
 bool
-AttentionPipeline::isLargeEnough (const AttentionSegment& segment) const
+AttentionPipeline::isLargeEnough (const AttentionSegment& segment, float area) const
 {
   const SegmentationParameters& parameters = parameters_.segmentation;
   return (static_cast<int> (segment.indices.size ()) >= parameters.minimum_segment_size &&
-          (clustering_->focalLength () <= 0.0f ||
-           frontalArea (segment) * segment.confidence >= parameters.minimum_certain_area));
+          area * segment.confidence >= parameters.minimum_certain_area);
 }
 
 float
-AttentionPipeline::sizeWeight (const AttentionSegment& segment) const
+AttentionPipeline::sizeWeight (float area) const
 {
   const float full_size = parameters_.segmentation.full_size;
-  if (full_size <= 0.0f || clustering_->focalLength () <= 0.0f)
-    return (1.0f);
-  return (std::min (1.0f, frontalArea (segment) / full_size));
+  return (full_size > 0.0f ? std::min (1.0f, area / full_size) : 1.0f);
 }
 
 bool
@@ -619,9 +619,12 @@ AttentionPipeline::growAt (std::size_t place)
         return (waiting.others.push_back (place));
   }
   AttentionSegment segment;
-  if (grower.grow (point, initial, segment) && isLargeEnough (segment))
+  if (!grower.grow (point, initial, segment))
+    return;
+  const float area = frontalArea (segment);
+  if (isLargeEnough (segment, area))
   {
-    const Priority priority = priorityOf (place, sizeWeight (segment));
+    const Priority priority = priorityOf (place, sizeWeight (area));
     waiting_.push_back ({std::move (segment), priority, {}});
   }
 }

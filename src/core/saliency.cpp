@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "largest_value.h"
+
 #include <pcl_attention/core/saliency.h>
 
 #include <algorithm>
@@ -9,28 +11,12 @@ namespace pcl_attention
 namespace
 {
 
-/** \brief The largest of values from 0 up. */
-float
-largest (const Image<float>& map)
-{
-  // Several at a time, so that none waits for the one before.
-  constexpr std::size_t lanes = 16;
-  float maxima[lanes] = {};
-  std::size_t index = 0;
-  for (; index + lanes <= map.size (); index += lanes)
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-      maxima[lane] = map[index + lane] > maxima[lane] ? map[index + lane] : maxima[lane];
-  for (; index < map.size (); ++index)
-    maxima[0] = std::max (maxima[0], map[index]);
-  return (*std::max_element (maxima, maxima + lanes));
-}
-
 /** \brief Blur a level's map and drop what is noise on it. */
 void
 cleanLevel (const SaliencyParameters& parameters, int threads, SymmetryMap& level)
 {
   level.symmetry = boxBlur (level.symmetry, parameters.blur_radius, threads);
-  const float threshold = std::max (parameters.level_threshold * largest (level.symmetry), parameters.saliency_floor);
+  const float threshold = std::max (parameters.level_threshold * largestValue (level.symmetry), parameters.saliency_floor);
   for (float& value : level.symmetry.data)
     value = value < threshold ? 0.0f : value;
 }
@@ -39,7 +25,7 @@ cleanLevel (const SaliencyParameters& parameters, int threads, SymmetryMap& leve
 float
 scaleOf (const SaliencyParameters& parameters, const SymmetryMap& level)
 {
-  const float peak = largest (level.symmetry);
+  const float peak = largestValue (level.symmetry);
   return (peak <= 0.0f ? 0.0f : parameters.normalize_levels ? 1.0f / peak : 1.0f);
 }
 
@@ -77,7 +63,7 @@ acrossScaleSum (const SaliencyParameters& parameters, const OrganizedCloud& clou
   }
   for (std::size_t index = 0; index < cloud.size (); ++index)
     sum[index] = cloud.valid[index] ? sum[index] : 0.0f;
-  maps.maximum = largest (sum);
+  maps.maximum = largestValue (sum);
   if (maps.maximum > 0.0f)
     for (float& value : sum.data)
       value /= maps.maximum;

@@ -322,10 +322,10 @@ TEST (CompactClustering, TheNotObjectFollowsTheGrownObject)
   EXPECT_EQ (sorted (scene.grow (10, 24, parameters).patches), (std::vector<int>{1, 2, 3}));
 }
 
-TEST (CompactClustering, AHandleIsThin)
+TEST (CompactClustering, AHandleIsThinAndLooksLikeItsObject)
 {
   // A quarter of the pixels, which hang on the object alone; of a square of n pixels a side the width is taken for a third.
-  const auto patchesWith = [] (double pixel_width) {
+  const auto patchesWith = [] (double pixel_width, const Color& color) {
     Frame frame = shapes::emptyFrame (64, 48);
     Image<int> labels (64, 48, 0);
     for (int row = 4; row < 40; ++row)
@@ -340,10 +340,13 @@ TEST (CompactClustering, AHandleIsThin)
     ClusteringParameters parameters = plain ();
     parameters.minimum_convexity = 1.0f; // nothing grows
     parameters.join_handles = true;
-    return (sorted (Case (frame, labels).grow (20, 20, parameters).patches));
+    Case made (frame, labels);
+    made.paint ({grey, red, color});
+    return (sorted (made.grow (20, 20, parameters).patches));
   };
-  EXPECT_EQ (patchesWith (0.003), (std::vector<int>{1, 2}));
-  EXPECT_EQ (patchesWith (0.005), (std::vector<int>{1}));
+  EXPECT_EQ (patchesWith (0.003, red), (std::vector<int>{1, 2}));
+  EXPECT_EQ (patchesWith (0.005, red), (std::vector<int>{1}));
+  EXPECT_EQ (patchesWith (0.003, green), (std::vector<int>{1}));
 }
 
 TEST (CompactClustering, CompactnessHasToBeBelowTheThreshold)
@@ -522,6 +525,62 @@ TEST (CompactClustering, WhatGoesOnBehindAnOccluderHasNoSideSetBack)
   };
   EXPECT_EQ (patchesOf (0.0), (std::vector<int>{1, 2, 3, 4}));
   EXPECT_EQ (patchesOf (0.02), (std::vector<int>{1, 2}));
+}
+
+TEST (CompactClustering, OfOtherColorsBehindAnOccluderTwoFacesMustGoOn)
+{
+  // A bar before a box of two colours, of whose top and front both go on, or before two boxes whose tops alone are in one plane.
+  // Left of the bar its shadow is wider than borders are found across.
+  constexpr int shadow = 14;
+  ASSERT_GT (shadow, PatchGraphParameters ().maximum_gap);
+  const auto patchesOf = [] (bool has_front, const Color& color) {
+    Frame frame = shapes::emptyFrame (160, 48);
+    Image<int> labels (160, 48, 0);
+    for (int row = 0; row < 48; ++row)
+      for (int column = 0; column < 160; ++column)
+      {
+        const double x = 0.002 * (column - 79.5), y = 0.002 * (row - 23.5);
+        const bool is_bar = column >= 74 && column < 86, is_front = has_front && y > 0.0;
+        if (column < 74 && column >= 74 - shadow)
+          continue;
+        labels (column, row) = is_bar ? 5 : (column < 80 ? 1 : 3) + is_front;
+        frame.set (frame.index (column, row), {x, y, is_bar ? 0.7 : is_front ? 0.8 + 2.0 * y : 0.8},
+                   Vector3d (0.0, is_front && !is_bar ? 2.0 : 0.0, -1.0).normalized ());
+      }
+    Case made (frame, labels);
+    made.paint ({grey, red, red, color, color, blue});
+    ClusteringParameters parameters;
+    parameters.compactness_threshold = 1.0f;
+    parameters.join_handles = parameters.join_hollows = false;
+    return (sorted (made.grow (10, 10, parameters).patches));
+  };
+  EXPECT_EQ (patchesOf (true, green), (std::vector<int>{1, 2, 3, 4}));
+  EXPECT_EQ (patchesOf (false, green), (std::vector<int>{1}));
+  EXPECT_EQ (patchesOf (false, red), (std::vector<int>{1, 3}));
+}
+
+TEST (CompactClustering, OtherColorsHaveToBeMoreCompactAndTouchMore)
+{
+  const auto firstStep = [] (const Color& color, const ClusteringParameters& parameters) {
+    Case sides = valley ();
+    sides.paint ({grey, red, color});
+    const AttentionSegment segment = sides.grow (10, 24, parameters);
+    EXPECT_FALSE (segment.steps.empty ());
+    return (segment.steps.empty () ? GrowthStep () : segment.steps.front ());
+  };
+  ClusteringParameters parameters = plain ();
+  parameters.compactness_threshold = 0.02f; // of which the valley has .0155
+  parameters.color_compactness = 0.5f;
+  EXPECT_EQ (firstStep (red, parameters).refused_by, GrowthConstraint::none);
+  EXPECT_EQ (firstStep (green, parameters).refused_by, GrowthConstraint::compactness);
+  EXPECT_FLOAT_EQ (firstStep (green, parameters).limit, 0.01f);
+  parameters.minimum_contact = 1.0f; // so that it is measured
+  const GrowthStep like = firstStep (red, parameters), other = firstStep (green, parameters);
+  EXPECT_EQ (other.refused_by, GrowthConstraint::connection);
+  EXPECT_FLOAT_EQ (other.value, 0.5f * like.value);
+  parameters.minimum_contact = 0.0f;
+  parameters.color_compactness = 0.0f;
+  EXPECT_EQ (firstStep (green, parameters).refused_by, GrowthConstraint::none);
 }
 
 TEST (CompactClustering, ConvexityRefusesAConcaveBorder)

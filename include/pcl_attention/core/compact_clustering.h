@@ -50,6 +50,8 @@ struct ClusteringParameters
                                         touch at a corner; those of a hollow may as well; 0: off */
   float minimum_convexity{-0.2f};     /**< of the common border, -2 (concave) .. 2; -2: off */
   float color_convexity{0.3f};        /**< how much more convexity differing colours ask for, and like colours spare */
+  float color_compactness{0.5f};      /**< share by which the compactness threshold is smaller, and contact counts less, where a
+                                        patch has no colours in common with the object, 0..1; not where half are */
   bool stay_off_support{true};        /**< patches of a supporting plane are not added */
   bool recognize_hollows{true};       /**< patches that curve inwards together are the inside of one hollow, concave as their
                                         borders are */
@@ -60,8 +62,9 @@ struct ClusteringParameters
                                         occluder off each other, metres; compactness_noise is added */
   float handle_width{0.02f};          /**< what is wider is no handle, metres */
   int handle_size{4};                 /**< nor is what is larger than this part (1 / n) of the object */
-  float occluded_distance{0.3f};      /**< pieces of an object behind an occluder are no farther apart, metres ... */
-  float occluded_color{0.6f};         /**< ... and their colours no farther, chi-square, 0..1 */
+  float occluded_distance{0.3f};      /**< pieces of an object behind an occluder are no farther apart, metres */
+  float joined_color{0.6f};           /**< nor are their colours if only one face goes on behind it, nor those of a handle and its
+                                        object, chi-square, 0..1 */
   bool join_hollows{true};            /**< join the inside of a hollow and the wall before it; off with -parts */
   bool join_handles{true};            /**< join a thin piece that hangs on an object and on nothing else; off with -parts */
   bool join_occluded{true};           /**< join pieces of one object that an occluder separates; off with -parts */
@@ -285,9 +288,10 @@ private:
     * the rim of a bowl does, and what happens to stand before it does not. */
   bool
   isRim (const Piece& wall, const Piece& inside) const;
-  /** \brief Whether a large patch of one piece goes on in one of the other, and none is set off from one that it is parallel to. */
+  /** \brief Whether a large patch of one piece goes on in one of the other, and none is set off from one that it is parallel to.
+    * \param[in] look_alike of the two; if they do not, two faces that are about square to each other must go on */
   bool
-  shareSurface (const Piece& piece, const Piece& other) const;
+  goesOnIn (const Piece& piece, const Piece& other, bool look_alike) const;
 
   bool
   isBehindSameOccluder (const Piece& object, const Piece& piece);

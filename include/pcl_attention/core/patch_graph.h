@@ -22,7 +22,8 @@ struct PatchGraphParameters
   float step_roughness{1.0f};        /**< ... plus this many times how far their points lie off their planes (rms); 0: no patches
                                        are told apart by that, nor cut */
   float step_color{0.7f};            /**< within a patch, whose two sides look alike, that limit is larger by this share, and
-                                       smaller by it where they have no colours in common, 0..1 */
+                                       smaller by it where they have no colours in common; between patches, that may be faces of
+                                       one object which are printed differently, smaller by half of it; 0..1 */
 };
 
 /** \brief Sums over points, from which follows how far they lie off a plane. They add up. */
@@ -36,9 +37,6 @@ struct PCL_ATTENTION_EXPORTS PointMoments
   add (const Eigen::Vector3f& point);
   PointMoments&
   operator+= (const PointMoments& other);
-  /** \param[in] other a part of these */
-  PointMoments&
-  operator-= (const PointMoments& other);
 
   /** \brief Mean and standard deviation of their signed distances from the plane through a point, metres; 0 without points. */
   std::pair<double, double>

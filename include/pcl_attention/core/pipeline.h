@@ -237,15 +237,15 @@ private:
   using Priority = std::tuple<float, bool, float>;
   Priority
   priorityOf (std::size_t place, float size_weight) const;
-  /** \brief What its pixels cover at their depth, facing the camera, m^2; the focal length must be known. */
+  /** \brief What its pixels cover at their depth, facing the camera, m^2; infinite where the focal length is not known. */
   float
   frontalArea (const AttentionSegment& segment) const;
-  /** \brief Whether a segment may be an object. */
+  /** \brief Whether a segment of this frontal area may be an object. */
   bool
-  isLargeEnough (const AttentionSegment& segment) const;
+  isLargeEnough (const AttentionSegment& segment, float area) const;
   /** \brief 0..1: a fragment that happens to be salient does not come before the objects. */
   float
-  sizeWeight (const AttentionSegment& segment) const;
+  sizeWeight (float area) const;
   /** \brief Segment at a point of the queue; what is found waits for its turn. */
   void
   growAt (std::size_t place);

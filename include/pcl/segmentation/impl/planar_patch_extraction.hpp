@@ -67,7 +67,7 @@ PlanarPatchExtraction<PointT>::getPatchGraph ()
     this->run ("getPatchGraph", [&] {
       graph = pcl_attention::buildPatchGraph (pipeline_.cloud (), pipeline_.normals (), patches_.labels,
                                               static_cast<int> (patches_.patches.size ()), getPatchGraphParameters ());
-      pcl_attention::disconnectSteps (patches_, {}, getPatchGraphParameters (), graph);
+      pcl_attention::disconnectSteps (pipeline_.cloud (), patches_, {}, getPatchGraphParameters (), graph);
       return (true);
     });
   return (graph);
