@@ -373,9 +373,8 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   // The pieces of a hollow are told by their shape, wherever they meet.
   const float outline = static_cast<float> (std::min (piece.perimeter, graph_.perimeter[label]));
   const float contact = outline > 0.0f ? static_cast<float> (border.connected) / outline : 1.0f;
-  const float likeness = 1.0f - parameters_.color_compactness * std::max (0.0f, 2.0f * difference - 1.0f);
-  if (!hollow && contact * likeness < parameters_.minimum_contact)
-    return (refuse (GrowthConstraint::connection, contact * likeness, parameters_.minimum_contact));
+  if (!hollow && contact < parameters_.minimum_contact)
+    return (refuse (GrowthConstraint::connection, contact, parameters_.minimum_contact));
   if (parameters_.color_constraint != ColorConstraint::off && !color_bins_.empty ())
   {
     const auto [inside, outside] = colorDistances (label, piece);
@@ -390,6 +389,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   together.push_back (label);
   const float kappa = compactnessOf (together, united.visible (), hollow);
   // Noise moves the hull outwards, the points not: their mean distance grows by as much.
+  const float likeness = 1.0f - parameters_.color_compactness * std::max (0.0f, 2.0f * difference - 1.0f);
   const float limit = likeness * withNoise (parameters_.compactness_threshold, patches_.patches[label - 1].centroid.z ());
   if (kappa >= limit)
     return (refuse (GrowthConstraint::compactness, kappa, limit));

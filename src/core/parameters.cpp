@@ -206,7 +206,7 @@ makeTable ()
     .number ("color_convexity", &ClusteringParameters::color_convexity, 0, 2, "", "",
              "how much more convexity differing colours ask for, and like colours spare")
     .number ("color_compactness", &ClusteringParameters::color_compactness, 0, 1, "share", "",
-             "how much smaller the compactness threshold is, and how much less contact counts, for other colours")
+             "how much smaller the compactness threshold is for other colours")
     .toggle ("recognize_hollows", &ClusteringParameters::recognize_hollows, "",
              "patches that curve inwards together are one hollow, concave as their borders are")
     .number ("minimum_hollowness", &ClusteringParameters::minimum_hollowness, -1, 1, "", "",

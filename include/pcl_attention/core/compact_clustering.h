@@ -50,8 +50,8 @@ struct ClusteringParameters
                                         touch at a corner; those of a hollow may as well; 0: off */
   float minimum_convexity{-0.2f};     /**< of the common border, -2 (concave) .. 2; -2: off */
   float color_convexity{0.3f};        /**< how much more convexity differing colours ask for, and like colours spare */
-  float color_compactness{0.5f};      /**< share by which the compactness threshold is smaller, and contact counts less, where a
-                                        patch has no colours in common with the object, 0..1; not where half are */
+  float color_compactness{0.4f};      /**< share by which the compactness threshold is smaller where a patch has no colours in
+                                        common with the object, 0..1; not where half are */
   bool stay_off_support{true};        /**< patches of a supporting plane are not added */
   bool recognize_hollows{true};       /**< patches that curve inwards together are the inside of one hollow, concave as their
                                         borders are */
