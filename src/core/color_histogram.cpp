@@ -60,4 +60,10 @@ chiSquare (const ColorHistogram& a, const ColorHistogram& b)
   return (0.5f * sum);
 }
 
+float
+colorContrast (const ColorHistogram& a, const ColorHistogram& b)
+{
+  return (a.total > 0.0f && b.total > 0.0f ? 2.0f * chiSquare (a, b) - 1.0f : 0.0f);
+}
+
 } // namespace pcl_attention

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 namespace pcl_attention
@@ -19,6 +20,16 @@ namespace
 
 /** \brief What lies in a hollow hides no more of its contour's surroundings than this share. */
 constexpr float hiding_nothing = 0.1f;
+
+/** \brief A patch is large if it is at least so much of its piece, as 1 / n. */
+constexpr int large_share = 5;
+
+bool
+areParallel (const PlanarPatch& first, const PlanarPatch& second)
+{
+  constexpr float parallel = 0.95f;
+  return (first.normal.dot (second.normal) >= parallel);
+}
 
 } // namespace
 
@@ -59,6 +70,7 @@ struct CompactClustering::Piece
   std::vector<const Piece*> joined; /**< what was joined to it */
   ColorHistogram surroundings; /**< the not-object, worked out when it is first needed after a change */
   bool surroundings_known{false};
+  RowSpans mouth; /**< the pixels within the outline of its hollow; empty without one, and before it is looked for */
 };
 
 CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
@@ -84,6 +96,7 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   std::stable_sort (seeds_.begin (), seeds_.end (), [&] (int a, int b) {
     return (patches.patches[a - 1].pixels.size () > patches.patches[b - 1].pixels.size ());
   });
+  findIslands ();
   histograms_.resize (count);
   if (parameters.color_constraint != ColorConstraint::off)
     color_bins_ = colorBins (cloud);
@@ -109,6 +122,36 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
 CompactClustering::~CompactClustering () = default;
 
 void
+CompactClustering::findIslands ()
+{
+  island_of_.assign (patches_.patches.size () + 1, -1);
+  for (const int seed : seeds_)
+  {
+    if (island_of_[seed] >= 0)
+      continue;
+    const auto island = static_cast<int> (islands_.size ());
+    islands_.emplace_back ();
+    island_of_[seed] = island;
+    std::vector<int> reached{seed};
+    while (!reached.empty ())
+    {
+      const int label = reached.back ();
+      reached.pop_back ();
+      for (const int neighbor : graph_.neighbors[label])
+        // A border of several patches has no larger share that is connected than the best of them.
+        if (island_of_[neighbor] < 0 && !(parameters_.stay_off_support && isSupport (neighbor)) &&
+            graph_.border (label, neighbor).connectedShare () >= parameters_.minimum_connection)
+        {
+          island_of_[neighbor] = island;
+          reached.push_back (neighbor);
+        }
+    }
+  }
+  for (const int seed : seeds_)
+    islands_[island_of_[seed]].seeds.push_back (seed);
+}
+
+void
 CompactClustering::forEachSeed (const std::function<void (int label)>& work) const
 {
   constexpr int together = 32;
@@ -130,7 +173,9 @@ CompactClustering::patchHull (int label)
     for (std::size_t i = 0; i < pixels.size (); ++i)
       if (i % step == 0 || isRowEnd (pixels, i, cloud_.width))
         points.push_back (pointAt (cloud_, pixels[i]));
-    hulls_[label] = std::make_unique<ObjectHull> (parameters_.hull_method, *hull_grid_);
+    constexpr float decides_nothing = 0.1f; // of the limit that distances to the hull are compared with
+    hulls_[label] = std::make_unique<ObjectHull> (parameters_.hull_method, *hull_grid_,
+                                                  decides_nothing * compactnessLimit (label));
     hulls_[label]->add (points);
   }
   return (*hulls_[label]);
@@ -174,7 +219,9 @@ CompactClustering::initialPatches (const AttentionPoint& point) const
 void
 CompactClustering::addPatch (int label, Piece& piece)
 {
-  ObjectHull united = piece.patches.empty () ? ObjectHull (parameters_.hull_method, *hull_grid_) : std::move (piece.hull);
+  if (piece.patches.empty ())
+    return (addPatch (label, piece, ObjectHull (patchHull (label))));
+  ObjectHull united = std::move (piece.hull);
   united.add (patchHull (label));
   addPatch (label, piece, std::move (united));
 }
@@ -348,7 +395,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   if (border.connectedShare () < parameters_.minimum_connection)
     return (refuse (GrowthConstraint::connection, border.connectedShare (), parameters_.minimum_connection));
 
-  const float difference = chiSquare (piece.histogram, histograms_[label]);
+  const float contrast = colorContrast (piece.histogram, histograms_[label]);
   bool hollow = false;
   if (parameters_.minimum_convexity > -2.0f)
   {
@@ -365,8 +412,7 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
       if (inside_and_outside)
         return (refuse (GrowthConstraint::convexity, -2.0f, limit));
     }
-    if (cloud_.hasColor ())
-      limit += parameters_.color_convexity * (2.0f * difference - 1.0f);
+    limit += parameters_.color_convexity * contrast;
     if (border.convexity () < limit)
       return (refuse (GrowthConstraint::convexity, border.convexity (), limit));
   }
@@ -389,8 +435,8 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
   together.push_back (label);
   const float kappa = compactnessOf (together, united.visible (), hollow);
   // Noise moves the hull outwards, the points not: their mean distance grows by as much.
-  const float likeness = 1.0f - parameters_.color_compactness * std::max (0.0f, 2.0f * difference - 1.0f);
-  const float limit = likeness * withNoise (parameters_.compactness_threshold, patches_.patches[label - 1].centroid.z ());
+  const float likeness = 1.0f - parameters_.color_compactness * std::max (0.0f, contrast);
+  const float limit = likeness * compactnessLimit (label);
   if (kappa >= limit)
     return (refuse (GrowthConstraint::compactness, kappa, limit));
   step.value = kappa;
@@ -466,9 +512,10 @@ CompactClustering::grownFrom (int label)
 const CompactClustering::Piece&
 CompactClustering::pieceAt (int label)
 {
+  Island& island = islands_[island_of_[label]];
   while (!piece_of_[label])
   {
-    const int seed = seeds_[next_seed_++];
+    const int seed = island.seeds[island.next++];
     if (piece_of_[seed])
       continue;
     auto piece = std::make_unique<Piece> ();
@@ -665,30 +712,44 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
           withNoise (parameters_.compactness_threshold, std::max (a.z (), b.z ())));
 }
 
+std::vector<int>
+CompactClustering::largePatches (const Piece& piece) const
+{
+  std::vector<int> large;
+  std::copy_if (piece.patches.begin (), piece.patches.end (), std::back_inserter (large), [&] (int label) {
+    return (large_share * static_cast<int> (patches_.patches[label - 1].pixels.size ()) >= piece.pixels);
+  });
+  return (large);
+}
+
+bool
+CompactClustering::inOnePlane (const PlanarPatch& first, const PlanarPatch& second) const
+{
+  // The larger patch tells its plane better.
+  const Eigen::Vector3f& normal = first.pixels.size () > second.pixels.size () ? first.normal : second.normal;
+  return (std::abs (normal.dot (second.centroid - first.centroid)) <=
+          withNoise (parameters_.surface_tolerance, std::max (first.centroid.z (), second.centroid.z ())));
+}
+
 bool
 CompactClustering::goesOnIn (const Piece& piece, const Piece& other, bool look_alike) const
 {
-  constexpr int large = 5; // of a piece the fifth part
-  constexpr float parallel = 0.95f, across_each_other = 0.5f;
-  Eigen::Vector3f first_face = Eigen::Vector3f::Zero ();
-  bool two_faces_go_on = false;
-  for (const int label : piece.patches)
-    for (const int other_label : other.patches)
+  constexpr float across_each_other = 0.5f;
+  std::vector<Eigen::Vector3f> faces; // that go on
+  const std::vector<int> large = largePatches (piece), others = largePatches (other);
+  for (const int label : large)
+    for (const int other_label : others)
     {
       const PlanarPatch &a = patches_.patches[label - 1], &b = patches_.patches[other_label - 1];
-      if (large * static_cast<int> (a.pixels.size ()) < piece.pixels || large * static_cast<int> (b.pixels.size ()) < other.pixels ||
-          a.normal.dot (b.normal) < parallel)
+      if (!areParallel (a, b))
         continue;
-      // The larger patch tells its plane better.
-      const Eigen::Vector3f& normal = a.pixels.size () > b.pixels.size () ? a.normal : b.normal;
-      if (std::abs (normal.dot (b.centroid - a.centroid)) >
-          withNoise (parameters_.surface_tolerance, std::max (a.centroid.z (), b.centroid.z ())))
+      if (!inOnePlane (a, b))
         return (false);
-      two_faces_go_on = two_faces_go_on || (!first_face.isZero () && std::abs (first_face.dot (a.normal)) < across_each_other);
-      if (first_face.isZero ())
-        first_face = a.normal;
+      faces.push_back (a.normal);
     }
-  return (look_alike ? !first_face.isZero () : two_faces_go_on);
+  return (look_alike ? !faces.empty () : std::any_of (faces.begin (), faces.end (), [&] (const Eigen::Vector3f& face) {
+    return (std::abs (face.dot (faces.front ())) < across_each_other);
+  }));
 }
 
 bool
@@ -722,18 +783,27 @@ CompactClustering::joinPiece (Piece& object)
       return (join (*piece));
   if (parameters_.join_hollows)
   {
-    const RowSpans mouth = mouthOf (object);
+    object.mouth = mouthOf (object);
     for (const Piece* piece : neighbors)
-      if (liesInMouth (mouth, object, *piece))
+      if (liesInMouth (object, *piece))
         return (join (*piece));
   }
   if (!parameters_.join_occluded)
     return (false);
   // The shadow of an occluder may be so wide that it has no border with what it hides.
   const Eigen::Vector3f center = centroidOf (object.patches);
+  const std::vector<int> large = largePatches (object);
   for (const int label : seeds_)
-    if ((patches_.patches[label - 1].centroid - center).norm () <= parameters_.occluded_distance)
+  {
+    const PlanarPatch& patch = patches_.patches[label - 1];
+    if (large_share * static_cast<int> (patch.pixels.size ()) < parameters_.certain_size)
+      break; // nor are the smaller ones that follow large in a piece that counts
+    if ((patch.centroid - center).norm () <= parameters_.occluded_distance &&
+        std::any_of (large.begin (), large.end (), [&] (int own) {
+          return (areParallel (patches_.patches[own - 1], patch) && inOnePlane (patches_.patches[own - 1], patch));
+        }))
       collect (label, around);
+  }
   for (const Piece* piece : around)
     if (isBehindSameOccluder (object, *piece))
       return (join (*piece));
@@ -791,27 +861,38 @@ CompactClustering::mouthOf (const Piece& object) const
 }
 
 pcl::Indices
-CompactClustering::supportInMouth (const Piece& object) const
+CompactClustering::pixelsOf (const Piece& object) const
 {
-  pcl::Indices inside;
-  const RowSpans mouth = mouthOf (object);
-  for (std::size_t row = 0; row < mouth.size (); ++row)
-    for (int column = mouth[row].first; column < mouth[row].second; ++column)
-      if (const auto index = static_cast<pcl::index_t> (row * cloud_.width + column); isSupport (patches_.labels[index]))
-        inside.push_back (index);
-  return (inside);
+  std::vector<std::uint8_t> taken (cloud_.size (), 0);
+  for (const int label : object.patches)
+    for (const pcl::index_t index : patches_.patches[label - 1].pixels)
+      taken[index] = 1;
+  for (std::size_t row = 0; row < object.mouth.size (); ++row)
+    for (int column = object.mouth[row].first; column < object.mouth[row].second; ++column)
+      if (const std::size_t index = row * cloud_.width + column; isSupport (patches_.labels[index]))
+        taken[index] = 1;
+  pcl::Indices pixels;
+  pixels.reserve (object.pixels);
+  const std::uint8_t *const begin = taken.data (), *const end = begin + taken.size ();
+  const auto next = [end] (const std::uint8_t* from) {
+    return (static_cast<const std::uint8_t*> (std::memchr (from, 1, end - from)));
+  };
+  for (const std::uint8_t* at = next (begin); at; at = next (at))
+    for (; at < end && *at; ++at)
+      pixels.push_back (static_cast<pcl::index_t> (at - begin));
+  return (pixels);
 }
 
 bool
-CompactClustering::liesInMouth (const RowSpans& mouth, const Piece& object, const Piece& piece) const
+CompactClustering::liesInMouth (const Piece& object, const Piece& piece) const
 {
-  if (mouth.empty () || piece.hollowness < -parameters_.certain_hollowness || piece.pixels > object.pixels)
+  if (object.mouth.empty () || piece.hollowness < -parameters_.certain_hollowness || piece.pixels > object.pixels)
     return (false);
   int within = 0, before = 0;
   for (const int label : piece.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
     {
-      const auto& [begin, end] = mouth[index / cloud_.width];
+      const auto& [begin, end] = object.mouth[index / cloud_.width];
       within += index % cloud_.width >= begin && index % cloud_.width < end;
     }
   for (const auto& border : piece.borders)
@@ -894,17 +975,7 @@ CompactClustering::grow (const AttentionPoint& point, const std::vector<int>& in
   }
   segment.patches = object.patches;
   segment.confidence = confidenceOf (object);
-  for (const int label : object.patches)
-  {
-    const pcl::Indices& pixels = patches_.patches[label - 1].pixels;
-    segment.indices.insert (segment.indices.end (), pixels.begin (), pixels.end ());
-  }
-  if (parameters_.join_hollows)
-  {
-    const pcl::Indices floor = supportInMouth (object);
-    segment.indices.insert (segment.indices.end (), floor.begin (), floor.end ());
-  }
-  std::sort (segment.indices.begin (), segment.indices.end ());
+  segment.indices = pixelsOf (object);
   segment.compactness = compactnessOf (object.patches, object.hull.visible (), false);
   const PlanarPatch& first = patches_.patches[initial.front () - 1];
   segment.plane << first.normal, -first.normal.dot (first.centroid);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "object_hull.h"
-#include "point_at.h"
+
+#include <pcl_attention/core/organized_cloud.h>
 
 #include <Eigen/Geometry>
 
@@ -63,14 +64,17 @@ extremesFirst (const std::vector<Eigen::Vector3d>& points)
 
 HullGrid::HullGrid (const OrganizedCloud& cloud)
 {
-  Eigen::Vector3f low = Eigen::Vector3f::Constant (std::numeric_limits<float>::max ()), high = -low;
-  for (std::size_t index = 0; index < cloud.size (); ++index)
-    if (cloud.valid[index])
-    {
-      const Eigen::Vector3f point = pointAt (cloud, index);
-      low = low.cwiseMin (point);
-      high = high.cwiseMax (point);
-    }
+  if (cloud.size () == 0)
+    return;
+  // Points that are not valid lie at the sensor, which a frame may hold as well.
+  Eigen::Vector3f low, high;
+  const std::array<const std::vector<float>*, 3> axes{&cloud.x, &cloud.y, &cloud.z};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Eigen::Map<const Eigen::ArrayXf> values (axes[axis]->data (), static_cast<Eigen::Index> (cloud.size ()));
+    low[axis] = values.minCoeff ();
+    high[axis] = values.maxCoeff ();
+  }
   // With coordinates of 16 bits a normal has 35, a plane's value at a point 52: whole numbers up to 2^53 are exact.
   constexpr float steps = 65000.0f;
   const float extent = (high - low).maxCoeff ();
@@ -156,13 +160,14 @@ GrowingHull::Facets::push_back (const std::array<int, 3>& triangle, const Eigen:
   y.push_back (normal.y ());
   z.push_back (normal.z ());
   offset.push_back (distance);
+  inverse_length.push_back (1.0 / std::max (1.0, normal.norm ()));
 }
 
 void
 GrowingHull::Facets::resize (std::size_t count)
 {
   corners.resize (count);
-  for (std::vector<double>* values : {&x, &y, &z, &offset})
+  for (std::vector<double>* values : {&x, &y, &z, &offset, &inverse_length})
     values->resize (count);
 }
 
@@ -173,7 +178,7 @@ GrowingHull::Facets::largestDistance (const Eigen::Vector3d& point, Eigen::Array
     return (Eigen::Map<const Eigen::ArrayXd> (values.data (), static_cast<Eigen::Index> (size ())));
   };
   distances = all (x) * point.x () + all (y) * point.y () + all (z) * point.z () + all (offset);
-  return (distances.maxCoeff ());
+  return ((distances * all (inverse_length)).maxCoeff ());
 }
 
 void
@@ -187,7 +192,7 @@ void
 GrowingHull::insert (int point, Eigen::ArrayXd& distances)
 {
   // A point on a facet's plane does not see it: what it adds beside it is seen by the facet's neighbours.
-  if (facets_.largestDistance (points_[point], distances) <= 0.0)
+  if (facets_.largestDistance (points_[point], distances) <= tolerance_)
     return;
   // An edge that is met in one direction only is the horizon.
   constexpr std::pair<int, int> met_in_both{-1, -1};

@@ -16,7 +16,7 @@ struct OrganizedCloud;
 struct PCL_ATTENTION_EXPORTS HullGrid
 {
   HullGrid () = default;
-  /** \brief Over the valid points of a cloud. */
+  /** \brief Over the points of a cloud. */
   explicit HullGrid (const OrganizedCloud& cloud);
 
   Eigen::Vector3f origin{Eigen::Vector3f::Zero ()}; /**< metres */
@@ -28,7 +28,8 @@ class PCL_ATTENTION_EXPORTS GrowingHull
 {
 public:
   GrowingHull () = default;
-  explicit GrowingHull (const HullGrid& grid) : grid_ (grid) {}
+  /** \param[in] tolerance a point that lies less outside is left off, metres */
+  explicit GrowingHull (const HullGrid& grid, float tolerance = 0.0f) : grid_ (grid), tolerance_ (tolerance / grid.step) {}
 
   /** \brief Extend the hull.
     * \param[in] points on the grid after rounding, metres, sensor frame, within the grid's frame */
@@ -54,6 +55,7 @@ private:
     std::vector<std::array<int, 3>> corners;
     std::vector<double> x, y, z; /**< of n */
     std::vector<double> offset;  /**< d */
+    std::vector<double> inverse_length; /**< 1 / |n| */
 
     std::size_t
     size () const { return (corners.size ()); }
@@ -68,11 +70,12 @@ private:
       y[to] = y[from];
       z[to] = z[from];
       offset[to] = offset[from];
+      inverse_length[to] = inverse_length[from];
     }
     void
     resize (std::size_t count);
-    /** \brief The largest distance of a point from any plane.
-      * \param[out] distances from all of them */
+    /** \brief The largest distance of a point from any plane, steps.
+      * \param[out] distances from all of them, times |n| and exact */
     double
     largestDistance (const Eigen::Vector3d& point, Eigen::ArrayXd& distances) const;
   };
@@ -95,6 +98,7 @@ private:
   inMetres (const Eigen::Vector3d& point) const { return (grid_.origin + grid_.step * point.cast<float> ()); }
 
   HullGrid grid_;
+  double tolerance_{0.0};               /**< steps */
   std::vector<Eigen::Vector3d> points_; /**< in steps from the grid's origin, whole numbers; the corners, or all while flat */
   Facets facets_;                       /**< empty while flat */
 };
@@ -104,7 +108,8 @@ class PCL_ATTENTION_EXPORTS ObjectHull
 {
 public:
   ObjectHull () = default;
-  ObjectHull (HullMethod method, const HullGrid& grid) : method_ (method), growing_ (grid) {}
+  /** \param[in] tolerance a point that lies less outside is left off by the growing hull, metres */
+  ObjectHull (HullMethod method, const HullGrid& grid, float tolerance = 0.0f) : method_ (method), growing_ (grid, tolerance) {}
 
   void
   add (const std::vector<Eigen::Vector3f>& points);

@@ -52,22 +52,21 @@ planeOf (const PlanarPatch& patch)
   return {patch.normal, patch.centroid, patch.rms};
 }
 
-/** \brief How far one of two planes lies behind the other at the border that their points have in common, metres; 0 at a bend. */
-double
-stepOf (const Plane& first, const Plane& second, const PointMoments& first_border, const PointMoments& second_border)
+/** \brief How two planes miss each other at the border that their points have in common, metres. */
+struct Miss
 {
-  // At a bend both lie behind the other's plane or both before it, at a step one before and one behind.
-  const double first_side = first_border.fromPlane (second.normal, second.center).first;
-  const double second_side = second_border.fromPlane (first.normal, first.center).first;
-  return (first_side * second_side < 0.0 ? std::min (std::abs (first_side), std::abs (second_side)) : 0.0);
-}
+  double step;   /**< how far one of them lies behind the other; 0 at a bend */
+  double spread; /**< how much the points lie off the other's plane here and there, standard deviation */
+};
 
-/** \brief How much the points of a common border lie off the other's plane here and there, standard deviation, metres. */
-double
-spreadOf (const Plane& first, const Plane& second, const PointMoments& first_border, const PointMoments& second_border)
+Miss
+missOf (const Plane& first, const Plane& second, const PointMoments& first_border, const PointMoments& second_border)
 {
-  return (std::min (first_border.fromPlane (second.normal, second.center).second,
-                    second_border.fromPlane (first.normal, first.center).second));
+  const auto [first_side, first_spread] = first_border.fromPlane (second.normal, second.center);
+  const auto [second_side, second_spread] = second_border.fromPlane (first.normal, first.center);
+  // At a bend both lie behind the other's plane or both before it, at a step one before and one behind.
+  const double step = first_side * second_side < 0.0 ? std::min (std::abs (first_side), std::abs (second_side)) : 0.0;
+  return {step, std::min (first_spread, second_spread)};
 }
 
 double
@@ -76,37 +75,25 @@ limitOf (const PatchGraphParameters& parameters, const Plane& first, const Plane
   return (parameters.step_tolerance + parameters.step_roughness * std::max (first.rms, second.rms));
 }
 
-/** \brief The place of a sample among so many pixels in rows: evenly spread, and out of step with the rows. */
-std::size_t
-sampleAt (std::size_t sample, std::size_t samples, std::size_t pixels)
-{
-  constexpr double golden = 0.6180339887498949;
-  double whole;
-  const double within = std::modf (static_cast<double> (sample) * golden, &whole);
-  return (static_cast<std::size_t> ((static_cast<double> (sample) + within) * static_cast<double> (pixels) /
-                                    static_cast<double> (samples)));
-}
-
-/** \brief At most 400 pixels, which tell what a patch is like. */
+/** \brief At most 400 pixels, which tell what a patch is like: evenly spread, and out of step with its rows. */
 pcl::Indices
 samplesOf (const pcl::Indices& pixels)
 {
+  constexpr double golden = 0.6180339887498949;
   const std::size_t count = std::min<std::size_t> (400, pixels.size ());
   pcl::Indices samples;
   samples.reserve (count);
   for (std::size_t sample = 0; sample < count; ++sample)
-    samples.push_back (pixels[sampleAt (sample, count, pixels.size ())]);
+  {
+    double whole;
+    const double place = static_cast<double> (sample), shift = std::modf (place * golden, &whole);
+    samples.push_back (pixels[static_cast<std::size_t> ((place + shift) * static_cast<double> (pixels.size ()) /
+                                                        static_cast<double> (count))]);
+  }
   return (samples);
 }
 
-/** \brief -1 of the same colours, 1 of none in common. */
-double
-contrastOf (const ColorHistogram& first, const ColorHistogram& second)
-{
-  return (2.0 * chiSquare (first, second) - 1.0);
-}
-
-/** \brief The same of two patches; 0 without colour. */
+/** \brief See \ref colorContrast; 0 without colour. */
 double
 contrastOf (const OrganizedCloud& cloud, const PlanarPatch& first, const PlanarPatch& second)
 {
@@ -118,7 +105,7 @@ contrastOf (const OrganizedCloud& cloud, const PlanarPatch& first, const PlanarP
       colors.add (colorBin (cloud.red[index], cloud.green[index], cloud.blue[index]));
     return (colors);
   };
-  return (contrastOf (colorsOf (first), colorsOf (second)));
+  return (colorContrast (colorsOf (first), colorsOf (second)));
 }
 
 /** \brief A line in the image. */
@@ -286,7 +273,7 @@ private:
     }
     const Plane first = planeOf (before), second = planeOf (behind);
     const double miss =
-      std::hypot (stepOf (first, second, before_border, behind_border), twistOf (first, second, cut.line, border_points));
+      std::hypot (missOf (first, second, before_border, behind_border).step, twistOf (first, second, cut.line, border_points));
     // A coarse cut beside the step shows less of it, and colours help.
     constexpr double shown_by_a_coarse_cut = 0.5;
     const double limit = limitOf (parameters_, first, second);
@@ -307,7 +294,7 @@ private:
     std::array<ColorHistogram, 2> sides;
     for (std::size_t i = 0; i < bins_.size (); ++i)
       sides[beyondOf (line, i) < 0.0].add (bins_[i]);
-    return (contrastOf (sides[0], sides[1]));
+    return (colorContrast (sides[0], sides[1]));
   }
 
   /** \brief How much the distance between two planes changes along a line, standard deviation. Across the line it changes at
@@ -398,18 +385,21 @@ struct Piece
   std::vector<int> cuts;
 };
 
-/** \brief What is left of a patch after all cuts, the piece that keeps its label first. */
+/** \brief What is left of a patch after all cuts, the piece that keeps its label first; nothing of one that stays whole. */
 std::vector<Piece>
 piecesOf (const OrganizedCloud& cloud, const pcl::Indices& pixels, const PatchGraphParameters& parameters)
 {
+  std::optional<Line> line = stepIn (cloud, pixels, parameters);
+  if (!line)
+    return {};
   std::vector<Piece> pieces{{pixels, {}}};
   int cuts = 0;
   for (std::size_t k = 0; k < pieces.size ();)
   {
-    const std::optional<Line> line = stepIn (cloud, pieces[k].pixels, parameters);
     if (!line)
     {
-      ++k;
+      if (++k < pieces.size ())
+        line = stepIn (cloud, pieces[k].pixels, parameters);
       continue;
     }
     Piece before{{}, pieces[k].cuts}, behind{{}, pieces[k].cuts};
@@ -422,6 +412,7 @@ piecesOf (const OrganizedCloud& cloud, const pcl::Indices& pixels, const PatchGr
       std::swap (before, behind);
     pieces[k] = std::move (before);
     pieces.push_back (std::move (behind));
+    line = stepIn (cloud, pieces[k].pixels, parameters);
   }
   return (pieces);
 }
@@ -450,31 +441,28 @@ cutAtSteps (const OrganizedCloud& cloud, const std::vector<std::uint8_t>& exclud
       if (excluded.empty () || !excluded[k + 1])
         pieces[k] = piecesOf (cloud, patches.patches[k].pixels, parameters);
   });
-  std::vector<std::vector<int>> cuts (count);
   int last_cut = 0;
   for (int k = 0; k < count; ++k)
   {
     int cuts_of_patch = 0;
-    for (std::size_t piece = 0; piece < pieces[k].size () && pieces[k].size () > 1; ++piece)
+    for (std::size_t piece = 0; piece < pieces[k].size (); ++piece)
     {
-      const int label = piece == 0 ? k + 1 : static_cast<int> (cuts.size ()) + 1;
+      const int label = piece == 0 ? k + 1 : static_cast<int> (patches.patches.size ()) + 1;
       if (piece > 0)
-        cuts.emplace_back ();
-      for (const pcl::index_t index : pieces[k][piece].pixels)
+        patches.patches.emplace_back ();
+      PlanarPatch& patch = patches.patches[label - 1];
+      patch.pixels = std::move (pieces[k][piece].pixels);
+      describePatch (cloud, patch);
+      for (const pcl::index_t index : patch.pixels)
         patches.labels[index] = label;
       for (const int cut : pieces[k][piece].cuts)
       {
-        cuts[label - 1].push_back (cut > 0 ? cut + last_cut : cut - last_cut);
+        patch.cuts.push_back (cut > 0 ? cut + last_cut : cut - last_cut);
         cuts_of_patch = std::max (cuts_of_patch, std::abs (cut));
       }
     }
     last_cut += cuts_of_patch;
   }
-  if (last_cut == 0)
-    return;
-  describePatches (cloud, patches);
-  for (std::size_t k = 0; k < cuts.size (); ++k)
-    patches.patches[k].cuts = std::move (cuts[k]);
 }
 
 void
@@ -490,8 +478,8 @@ disconnectSteps (const OrganizedCloud& cloud, const PlanarPatches& patches, cons
     const PlanarPatch &first = patches.patches[labels.first - 1], &second = patches.patches[labels.second - 1];
     const BorderPoints& points = graph.points.at (labels);
     const Plane first_plane = planeOf (first), second_plane = planeOf (second);
-    const double miss = std::hypot (stepOf (first_plane, second_plane, points.first_connected, points.second_connected),
-                                    spreadOf (first_plane, second_plane, points.first_connected, points.second_connected));
+    const auto [step, spread] = missOf (first_plane, second_plane, points.first_connected, points.second_connected);
+    const double miss = std::hypot (step, spread);
     const double limit = limitOf (parameters, first_plane, second_plane), helped = 0.5 * parameters.step_color;
     if (wereCutApart (first, second) || miss > limit ||
         (miss > (1.0 - helped) * limit && miss > (1.0 - helped * contrastOf (cloud, first, second)) * limit))

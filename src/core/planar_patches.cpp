@@ -233,6 +233,20 @@ extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, I
 }
 
 void
+describePatch (const OrganizedCloud& cloud, PlanarPatch& patch)
+{
+  PatchSums sums;
+  for (std::size_t begin = 0, end; begin < patch.pixels.size (); begin = end)
+  {
+    end = begin + 1;
+    while (end < patch.pixels.size () && patch.pixels[end] == patch.pixels[end - 1] + 1)
+      ++end;
+    sums.add (cloud, patch.pixels[begin], patch.pixels[end - 1] + 1);
+  }
+  sums.fit (patch);
+}
+
+void
 describePatches (const OrganizedCloud& cloud, PlanarPatches& result)
 {
   const std::vector<PatchSums> sums = sumsOf (cloud, result.labels, 1);

@@ -122,6 +122,28 @@ TEST (ChiSquare, OfDisjointIsOneAndOfEmptyIsZero)
   EXPECT_EQ (chiSquare (ColorHistogram (), ColorHistogram ()), 0.0f);
 }
 
+TEST (ColorContrast, ByHand)
+{
+  ColorHistogram a, b, other;
+  a.add (0, 3.0f);
+  a.add (1);
+  b.add (0);
+  b.add (1);
+  b.add (127, 2.0f);
+  other.add (6);
+  EXPECT_FLOAT_EQ (colorContrast (a, b), -0.25f) << "2 * 3/8 - 1";
+  EXPECT_FLOAT_EQ (colorContrast (a, a), -1.0f);
+  EXPECT_FLOAT_EQ (colorContrast (a, other), 1.0f);
+}
+
+TEST (ColorContrast, NothingIsKnownWithoutColors)
+{
+  ColorHistogram a;
+  a.add (0, 3.0f);
+  EXPECT_EQ (colorContrast (a, ColorHistogram ()), 0.0f);
+  EXPECT_EQ (colorContrast (ColorHistogram (), a), 0.0f);
+}
+
 TEST (ChiSquare, OfRandomHistogramsIsSymmetricAndBetweenZeroAndOne)
 {
   std::mt19937 random (3);

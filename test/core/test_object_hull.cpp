@@ -127,6 +127,23 @@ TEST (GrowingHull, StaysFlatUntilAPointLeavesThePlane)
   EXPECT_NEAR (volume (pyramid), 1.0 / 3.0, 1e-6);
 }
 
+TEST (GrowingHull, LeavesOffWhatLiesOutsideByLessThanItsTolerance)
+{
+  // A cube of 1 m and points above the middle of its side at x = 1.
+  const auto verticesWith = [] (float above, float tolerance) {
+    GrowingHull hull (exactGrid (), tolerance);
+    std::vector<Vector3f> cube;
+    for (int corner = 0; corner < 8; ++corner)
+      cube.emplace_back (static_cast<float> (corner / 4), static_cast<float> (corner / 2 % 2), 1.0f + static_cast<float> (corner % 2));
+    hull.add (cube);
+    hull.add ({Vector3f (1.0f + above, 0.5f, 1.5f)});
+    return (hull.vertices ().size ());
+  };
+  EXPECT_EQ (verticesWith (0.0625f, 0.0f), 9u);
+  EXPECT_EQ (verticesWith (0.0625f, 0.07f), 8u);
+  EXPECT_EQ (verticesWith (0.0625f, 0.05f), 9u);
+}
+
 TEST (GrowingHull, OfNothingAPointOrALineHasNoFaces)
 {
   GrowingHull hull (exactGrid ());

@@ -216,6 +216,24 @@ constexpr Rgb red{200, 20, 20}, blue{20, 20, 200};
 
 } // namespace
 
+TEST (CutAtSteps, DescribesEveryPartAsIfItHadBeenAlone)
+{
+  OnePatch surface (stepAt (4.0, 0.008));
+  surface.cut ();
+  ASSERT_EQ (surface.count (), 2u);
+  PlanarPatches alone;
+  alone.labels = surface.patches.labels;
+  describePatches (surface.frame.cloud, alone);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const PlanarPatch &part = surface.patches.patches[k], &expected = alone.patches[k];
+    EXPECT_EQ (part.pixels, expected.pixels);
+    EXPECT_LT ((part.centroid - expected.centroid).norm (), 1e-6f);
+    EXPECT_LT ((part.normal - expected.normal).norm (), 1e-5f);
+    EXPECT_NEAR (part.rms, expected.rms, 1e-6f);
+  }
+}
+
 TEST (CutAtSteps, TwoFacesThatLieAStepApartAreTwoPatches)
 {
   const OnePatch two = OnePatch (stepAt (15, 0.003)).cut ();

@@ -55,4 +55,8 @@ colorBins (const OrganizedCloud& cloud);
 PCL_ATTENTION_EXPORTS float
 chiSquare (const ColorHistogram& a, const ColorHistogram& b);
 
+/** \brief The same as a cue that speaks for or against: -1 for the same colours, 1 for none in common, 0 if a histogram is empty. */
+PCL_ATTENTION_EXPORTS float
+colorContrast (const ColorHistogram& a, const ColorHistogram& b);
+
 } // namespace pcl_attention

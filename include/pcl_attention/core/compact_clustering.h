@@ -174,11 +174,24 @@ private:
     float weight; /**< pixels it stands for */
   };
 
+  /** \brief Of every row the first column and the one behind the last. */
+  using RowSpans = std::vector<std::pair<int, int>>;
+
   struct Piece;
+
+  /** \brief Patches that nothing can grow from to others, or from others to. */
+  struct Island
+  {
+    std::vector<int> seeds; /**< labels, the largest patch first */
+    std::size_t next{0};    /**< the first of them that may have no piece yet */
+  };
 
   /** \brief The samples of some patches, evenly taken where there are more than it needs. */
   template <typename Visit> void
   forEachSample (const std::vector<int>& labels, const Visit& visit) const;
+
+  void
+  findIslands ();
 
   bool
   isSupport (int label) const { return (!support_patches_.empty () && support_patches_[label]); }
@@ -209,6 +222,13 @@ private:
   withNoise (float length, float depth) const
   {
     return (length + parameters_.compactness_noise * depth_noise_ * depth * depth);
+  }
+
+  /** \brief What kappa of an object that a patch is added to must not reach, metres. */
+  float
+  compactnessLimit (int label) const
+  {
+    return (withNoise (parameters_.compactness_threshold, patches_.patches[label - 1].centroid.z ()));
   }
 
   /** \brief CS_in and CS_out (paper eq. 11 and 12). */
@@ -266,17 +286,14 @@ private:
   void
   takeLargerObject (Piece& object);
 
-  /** \brief Of every row the first column and the one behind the last. */
-  using RowSpans = std::vector<std::pair<int, int>>;
-
   /** \brief The pixels within the outline of an object's hollow, its convex hull in the image; empty without a hollow. */
   RowSpans
   mouthOf (const Piece& object) const;
-  /** \brief What was taken for the support, but is seen through the mouth of an object: its floor. */
-  pcl::Indices
-  supportInMouth (const Piece& object) const;
   bool
-  liesInMouth (const RowSpans& mouth, const Piece& object, const Piece& piece) const;
+  liesInMouth (const Piece& object, const Piece& piece) const;
+  /** \brief Ascending; with what was taken for the support, but is seen through the mouth of an object: its floor. */
+  pcl::Indices
+  pixelsOf (const Piece& object) const;
 
   bool
   isHandleOf (const Piece& object, const Piece& piece);
@@ -288,6 +305,12 @@ private:
     * the rim of a bowl does, and what happens to stand before it does not. */
   bool
   isRim (const Piece& wall, const Piece& inside) const;
+  /** \brief Patches that are no small part of a piece. */
+  std::vector<int>
+  largePatches (const Piece& piece) const;
+  /** \brief Whether two parallel patches lie in one plane. */
+  bool
+  inOnePlane (const PlanarPatch& first, const PlanarPatch& second) const;
   /** \brief Whether a large patch of one piece goes on in one of the other, and none is set off from one that it is parallel to.
     * \param[in] look_alike of the two; if they do not, two faces that are about square to each other must go on */
   bool
@@ -316,7 +339,8 @@ private:
   std::vector<std::unique_ptr<Piece>> partition_;           /**< as far as it is known */
   std::vector<const Piece*> piece_of_;                      /**< of label k at [k], in the partition; null until known */
   std::vector<int> seeds_;                                  /**< labels, the largest patch first */
-  std::size_t next_seed_{0};                                /**< of seeds_: the first that may have no piece yet */
+  std::vector<Island> islands_;
+  std::vector<int> island_of_;                              /**< of label k at [k], place in islands_ */
   std::vector<std::optional<float>> patch_hollowness_;      /**< of label k at [k], once asked for */
   std::vector<ColorHistogram> histograms_;                  /**< of label k at [k]; empty without colour */
   ColorHistogram scene_histogram_;                          /**< of all points; empty without the colour constraint */

@@ -74,6 +74,10 @@ extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, I
 PCL_ATTENTION_EXPORTS void
 reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPatches& patches);
 
+/** \brief Fill a patch's plane from its pixels. */
+PCL_ATTENTION_EXPORTS void
+describePatch (const OrganizedCloud& cloud, PlanarPatch& patch);
+
 /** \brief Fill the patches' pixel lists and planes from a label image, for labels made elsewhere. */
 PCL_ATTENTION_EXPORTS void
 describePatches (const OrganizedCloud& cloud, PlanarPatches& result);
