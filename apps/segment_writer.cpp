@@ -97,12 +97,15 @@ template <typename PointT>
 std::string
 labelledCloud (const Scene& scene, const std::vector<std::uint32_t>& labels)
 {
-  pcl::PointCloud<PointT> cloud;
-  pcl::copyPointCloud (*scene.cloud, cloud);
-  for (std::size_t i = 0; i < cloud.size (); ++i)
-    cloud[i].label = labels[i];
   pcl::PCLPointCloud2 blob;
-  pcl::toPCLPointCloud2 (cloud, blob);
+  {
+    // Gone when the file is encoded, which is when the program needs most memory.
+    pcl::PointCloud<PointT> cloud;
+    pcl::copyPointCloud (*scene.cloud, cloud);
+    for (std::size_t i = 0; i < cloud.size (); ++i)
+      cloud[i].label = labels[i];
+    pcl::toPCLPointCloud2 (cloud, blob);
+  }
   return (encodePcd (scene, blob));
 }
 
