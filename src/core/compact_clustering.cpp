@@ -461,7 +461,8 @@ CompactClustering::growOverBorders (Piece& piece, bool of_partition)
       float best_priority = -1.0f;
       for (const auto& [label, border] : piece.borders)
       {
-        if (piece.is_cut && piece_of_[label])
+        // What is of another island is not asked for its piece, which may be growing beside this one.
+        if (piece.is_cut && island_of_[label] == island_of_[piece.patches.front ()] && piece_of_[label])
           continue;
         const auto before = tried.find (label);
         if (before != tried.end () && before->second == border.pairs)
@@ -523,7 +524,7 @@ CompactClustering::pieceAt (int label)
     growOverBorders (*piece, true);
     for (const int member : piece->patches)
       piece_of_[member] = piece.get ();
-    partition_.push_back (std::move (piece));
+    island.pieces.push_back (std::move (piece));
   }
   return (*piece_of_[label]);
 }
@@ -535,12 +536,11 @@ CompactClustering::growAhead (const std::function<bool ()>& is_over)
     return; // then only what a fixation leads to is grown
   if (!is_over ())
     forEachSeed ([this] (int label) { patchHull (label); });
-  for (const int seed : seeds_)
-  {
-    if (is_over ())
-      return;
-    pieceAt (seed);
-  }
+  forEachBand (static_cast<int> (islands_.size ()), 1, 1, [&] (int island, int) {
+    for (const int seed : islands_[island].seeds)
+      if (!is_over ())
+        pieceAt (seed);
+  });
 }
 
 PatchBorder
@@ -863,14 +863,23 @@ CompactClustering::mouthOf (const Piece& object) const
 pcl::Indices
 CompactClustering::pixelsOf (const Piece& object) const
 {
-  std::vector<std::uint8_t> taken (cloud_.size (), 0);
+  int first_row = cloud_.height, last_row = -1; // of the mouth as well
+  for (const int label : object.patches)
+  {
+    const pcl::Indices& patch = patches_.patches[label - 1].pixels;
+    first_row = std::min (first_row, patch.front () / cloud_.width);
+    last_row = std::max (last_row, patch.back () / cloud_.width);
+  }
+  const pcl::index_t before = first_row * cloud_.width;
+  std::vector<std::uint8_t> taken (static_cast<std::size_t> (last_row + 1 - first_row) * cloud_.width, 0);
   for (const int label : object.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
-      taken[index] = 1;
-  for (std::size_t row = 0; row < object.mouth.size (); ++row)
-    for (int column = object.mouth[row].first; column < object.mouth[row].second; ++column)
-      if (const std::size_t index = row * cloud_.width + column; isSupport (patches_.labels[index]))
-        taken[index] = 1;
+      taken[index - before] = 1;
+  if (!object.mouth.empty ())
+    for (int row = first_row; row <= last_row; ++row)
+      for (int column = object.mouth[row].first; column < object.mouth[row].second; ++column)
+        if (const pcl::index_t index = row * cloud_.width + column; isSupport (patches_.labels[index]))
+          taken[index - before] = 1;
   pcl::Indices pixels;
   pixels.reserve (object.pixels);
   const std::uint8_t *const begin = taken.data (), *const end = begin + taken.size ();
@@ -879,7 +888,7 @@ CompactClustering::pixelsOf (const Piece& object) const
   };
   for (const std::uint8_t* at = next (begin); at; at = next (at))
     for (; at < end && *at; ++at)
-      pixels.push_back (static_cast<pcl::index_t> (at - begin));
+      pixels.push_back (before + static_cast<pcl::index_t> (at - begin));
   return (pixels);
 }
 

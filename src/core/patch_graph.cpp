@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -63,9 +64,17 @@ public:
       const bool border_row = row == 0 || row == height - 1;
       const int inner_end = border_row ? 1 : width - 1;
       atBorder (0);
-      for (int column = 1; column < inner_end; ++column)
-        if (labels[column] != labels[column - offset])
-          noteChange ({column, row}, offset, labels[column], labels[column - offset], gapAt (column));
+      for (int begin = 1, end; begin < inner_end; begin = end)
+      {
+        // Most pixels lie within a patch.
+        constexpr int together = 32;
+        end = std::min (begin + together, inner_end);
+        if (std::memcmp (labels + begin, labels + begin - offset, sizeof (int) * static_cast<std::size_t> (end - begin)) == 0)
+          continue;
+        for (int column = begin; column < end; ++column)
+          if (labels[column] != labels[column - offset])
+            noteChange ({column, row}, offset, labels[column], labels[column - offset], gapAt (column));
+      }
       for (int column = std::max (1, inner_end); column < width; ++column)
         atBorder (column);
     }

@@ -357,6 +357,27 @@ AttentionPipeline::preparePatches ()
   normals ();
   const StageTimer timer (times_.patches);
   supporting_planes_ = findSupportingPlanes (cloud_, *normals_, coarser (), parameters_.support, threads_);
+  std::exception_ptr over_error, patch_error;
+#pragma omp taskgroup
+  {
+    // Patches are grown by one thread.
+#pragma omp task
+    over_error = exceptionOf ([this] {
+      if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
+        over_support_ = findPointsOver (cloud_, supporting_planes_->front (), threads_);
+    });
+    patch_error = exceptionOf ([this] { makePatches (); });
+  }
+  for (const std::exception_ptr& error : {over_error, patch_error})
+    if (error)
+      std::rethrow_exception (error);
+  for (SupportingPlane& plane : *supporting_planes_)
+    plane.coefficients = transformPlane (sensor_pose_, plane.coefficients);
+}
+
+void
+AttentionPipeline::makePatches ()
+{
   const bool stays_off = !supporting_planes_->empty () && parameters_.clustering.stay_off_support;
   if (!patches_)
   {
@@ -378,10 +399,6 @@ AttentionPipeline::preparePatches ()
   patch_graph_ = buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
                                   parameters_.patch_graph, threads_);
   disconnectSteps (cloud_, *patches_, support_patches_, parameters_.patch_graph, *patch_graph_);
-  if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
-    over_support_ = findPointsOver (cloud_, supporting_planes_->front (), threads_);
-  for (SupportingPlane& plane : *supporting_planes_)
-    plane.coefficients = transformPlane (sensor_pose_, plane.coefficients);
 }
 
 const PlanarPatches&

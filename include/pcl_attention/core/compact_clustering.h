@@ -184,6 +184,7 @@ private:
   {
     std::vector<int> seeds; /**< labels, the largest patch first */
     std::size_t next{0};    /**< the first of them that may have no piece yet */
+    std::vector<std::unique_ptr<Piece>> pieces; /**< of the partition, as far as they are known */
   };
 
   /** \brief The samples of some patches, evenly taken where there are more than it needs. */
@@ -336,7 +337,6 @@ private:
   const std::unique_ptr<HullGrid> hull_grid_;
   std::vector<std::vector<Sample>> samples_;                /**< of label k at [k] */
   std::vector<std::unique_ptr<ObjectHull>> hulls_;          /**< of label k at [k]; null until asked for */
-  std::vector<std::unique_ptr<Piece>> partition_;           /**< as far as it is known */
   std::vector<const Piece*> piece_of_;                      /**< of label k at [k], in the partition; null until known */
   std::vector<int> seeds_;                                  /**< labels, the largest patch first */
   std::vector<Island> islands_;

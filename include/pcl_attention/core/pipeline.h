@@ -204,6 +204,9 @@ private:
   /** \brief Patches, their graph and the planes of the background. */
   void
   preparePatches ();
+  /** \brief Patches beside the planes, and their graph. */
+  void
+  makePatches ();
 
   /** \brief All that the first object needs: with several threads one of them prepares the patches while the others share the
     * saliency, in which it then joins them. */
