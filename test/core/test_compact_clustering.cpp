@@ -349,6 +349,30 @@ TEST (CompactClustering, AHandleIsThinAndLooksLikeItsObject)
   EXPECT_EQ (patchesWith (0.003, green), (std::vector<int>{1}));
 }
 
+TEST (CompactClustering, WhatBelongsToALargerPieceIsNoPartOfAHandle)
+{
+  // 1 grows over 2, but not over 3, most of whose border with it is a step in depth; 3 alone would grow over 2 and be too large for
+  // a handle of 4, which it meets in a concave border.
+  Frame frame = shapes::emptyFrame (96, 48);
+  Image<int> labels (96, 48, 0);
+  const Vector3d ahead (0, 0, -1), turned = Vector3d (-1, -1, -1).normalized ();
+  for (int row = 0; row < 48; ++row)
+    for (int column = 0; column < 96; ++column)
+    {
+      const bool left = column < 20;
+      const int label = column >= 50 || (row >= 40 && !left) ? 4 : row >= 40 ? 0 : row < 24 ? 1 : left ? 2 : 3;
+      labels (column, row) = label;
+      frame.set (frame.index (column, row), {0.002 * (column - 47.5), 0.002 * (row - 23.5), label == 1 && !left ? 0.9 : 0.8},
+                 label == 4 ? turned : ahead);
+    }
+  ClusteringParameters parameters;
+  parameters.compactness_threshold = 1.0f;
+  parameters.join_hollows = parameters.join_occluded = parameters.recognize_hollows = false;
+  const Case scene (frame, labels);
+  EXPECT_EQ (sorted (scene.grow (80, 24, parameters).patches), (std::vector<int>{3, 4}));
+  EXPECT_EQ (sorted (scene.grow (10, 10, parameters).patches), (std::vector<int>{1, 2}));
+}
+
 TEST (CompactClustering, CompactnessHasToBeBelowTheThreshold)
 {
   ClusteringParameters parameters = plain ();
