@@ -361,7 +361,7 @@ AttentionPipeline::preparePatches ()
 #pragma omp taskgroup
   {
     // Patches are grown by one thread.
-#pragma omp task
+#pragma omp task shared(over_error)
     over_error = exceptionOf ([this] {
       if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
         over_support_ = findPointsOver (cloud_, supporting_planes_->front (), threads_);
