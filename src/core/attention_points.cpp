@@ -108,7 +108,7 @@ extractFromSymmetryLines (const Image<float>& saliency, const std::vector<std::u
   const int width = saliency.width, height = saliency.height;
   Image<float> map = saliency;
   for (float& value : map.data)
-    value = (value > 0.0f) & (value <= std::numeric_limits<float>::max ()) ? value : 0.0f; // no branch: several at a time
+    value = ((value > 0.0f) & (value <= std::numeric_limits<float>::max ())) ? value : 0.0f; // no branch: several at a time
   const float maximum = largestValue (map), threshold = parameters.pixel_threshold * maximum;
   Image<std::uint8_t> mask (width, height, 0);
   for (std::size_t index = 0; index < map.size (); ++index)

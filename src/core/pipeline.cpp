@@ -128,6 +128,7 @@ AttentionParameters::paper ()
   parameters.clustering.recognize_hollows = false;
   parameters.clustering.visiblePieces ();
   parameters.segmentation.prefer_supported = false;
+  parameters.segmentation.ignore_below = false;
   parameters.segmentation.full_size = 0.0f;
   parameters.segmentation.inhibition_of_return = false;
   parameters.segmentation.fixation_margin = 0;
@@ -477,6 +478,8 @@ AttentionPipeline::fillQueue ()
   prepareObjects ();
   preparePatches ();
   queue_ = attentionPoints ().points;
+  queue_.erase (std::remove_if (queue_.begin (), queue_.end (), [this] (const AttentionPoint& point) { return (isIgnored (point)); }),
+                queue_.end ());
   coarser_.clear (); // nothing that is still to come needs them
   const auto rest = std::stable_partition (queue_.begin (), queue_.end (),
                                            [this] (const AttentionPoint& point) { return (isPreferred (point)); });
@@ -528,6 +531,20 @@ AttentionPipeline::isPreferred (const AttentionPoint& point) const
 {
   return (points_are_users_ || point.kind == AttentionPointKind::coverage ||
           !parameters_.segmentation.prefer_supported || over_support_.empty () || over_support_[indexOf (point)]);
+}
+
+bool
+AttentionPipeline::isIgnored (const AttentionPoint& point) const
+{
+  // A table's top is some centimetres thick, and bent as the sensor sees it.
+  constexpr float certain = 0.9f, clearly_below = 0.05f;
+  if (!parameters_.segmentation.ignore_below || points_are_users_ || !prior_.empty () || supporting_planes_->empty ())
+    return (false);
+  const SupportingPlane& plane = supporting_planes_->front ();
+  if (!plane.supports_objects || plane.confidence < certain)
+    return (false);
+  const Eigen::Vector3f position = sensor_pose_ * pointAt (cloud_, indexOf (point));
+  return (plane.coefficients.head<3> ().dot (position) + plane.coefficients[3] < -clearly_below);
 }
 
 AttentionPipeline::Priority

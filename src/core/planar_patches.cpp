@@ -212,9 +212,9 @@ reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPa
 
 void
 extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters,
-                      PlanarPatches& result)
+                      PlanarPatches& result, int threads)
 {
-  extractPlanarPatches (cloud, normals, Image<int> (cloud.width, cloud.height, 0), parameters, result);
+  extractPlanarPatches (cloud, normals, Image<int> (cloud.width, cloud.height, 0), parameters, result, threads);
 }
 
 void

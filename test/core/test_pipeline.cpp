@@ -8,6 +8,7 @@
 #include <pcl/segmentation/impl/organized_cloud.hpp>
 
 #include <algorithm>
+#include <set>
 
 using namespace pcl_attention;
 
@@ -232,6 +233,65 @@ TEST (Pipeline, visitsPointsInTheUsersOrder)
     ASSERT_NE (found, order.end ()) << "rank " << segment.rank;
     place = static_cast<std::size_t> (found - order.begin ()) + 1;
   }
+}
+
+TEST (Pipeline, ignoresWhatLiesBelowTheTableUnlessSomethingIsAskedFor)
+{
+  SceneDescription scene;
+  const auto boxAt = [] (const Eigen::Vector3d& size, const Eigen::Vector3d& center, std::uint32_t label) {
+    SceneObject box;
+    box.size = size;
+    box.pose.translation () = center;
+    box.label = label;
+    return (box);
+  };
+  SceneObject floor;
+  floor.shape = SceneShape::plane;
+  floor.pose.translation ().z () = -0.5;
+  floor.label = scene_label::floor;
+  scene.supports = {boxAt ({1.4, 1.2, 0.03}, {-0.2, 0.0, -0.015}, scene_label::table), floor};
+  scene.objects = {boxAt ({0.15, 0.15, 0.15}, {0.15, 0.0, 0.075}, 20), boxAt ({0.2, 0.2, 0.2}, {0.7, 0.0, -0.4}, 30),
+                   boxAt ({0.15, 0.15, 0.15}, {-0.2, 0.1, 0.075}, 40)};
+  scene.camera = scene.camera.resized (320, 240);
+  scene.camera.lookAt ({0.4, -0.7, 0.8}, {0.25, 0.0, 0.0});
+  scene.world_frame = true; // planes are in the frame of the cloud, points in the sensor's
+  const auto rendered = renderScene (scene, 1);
+  Image<float> saliency (320, 240, 0.0f); // a bar in the middle of the two boxes
+  for (const std::uint32_t label : {20u, 30u})
+  {
+    int count = 0, columns = 0, rows = 0;
+    for (std::size_t index = 0; index < rendered->size (); ++index)
+      if ((*rendered)[index].label == label)
+      {
+        ++count;
+        columns += static_cast<int> (index % 320);
+        rows += static_cast<int> (index / 320);
+      }
+    ASSERT_GT (count, 500);
+    for (int step = -4; step <= 4; ++step)
+      saliency (columns / count + step, rows / count) = 1.0f;
+  }
+  const auto labelsFound = [&] (bool ignore_below, bool ask) {
+    AttentionParameters parameters;
+    parameters.segmentation.ignore_below = ignore_below;
+    AttentionPipeline pipeline;
+    pipeline.start (gather (*rendered, nullptr), sensorPose (*rendered), parameters, 1);
+    pipeline.setSaliency (Image<float> (saliency));
+    if (ask)
+    {
+      AttentionPrior prior;
+      prior.distance = ValueRange{0.0f, 10.0f};
+      pipeline.setPrior (std::move (prior));
+    }
+    EXPECT_TRUE (!pipeline.supportingPlanes ().empty () && pipeline.supportingPlanes ().front ().supports_objects);
+    std::set<std::uint32_t> labels;
+    for (const AttentionSegment& segment : allSegments (pipeline))
+      labels.insert (rendered->at (segment.attention_point.column, segment.attention_point.row).label / 10 * 10);
+    return (labels);
+  };
+  EXPECT_EQ (labelsFound (true, false), (std::set<std::uint32_t>{20, 40}));
+  EXPECT_EQ (labelsFound (false, false).count (30), 1u);
+  EXPECT_EQ (labelsFound (true, true).count (30), 1u);
 }
 
 TEST (Pipeline, comesBackToPointsOfASegmentThatIsNotGivenOut)

@@ -57,14 +57,14 @@ struct PlanarPatches
 };
 
 /** \brief Cluster normals into planar patches, starting at the lowest curvature (paper IV-A).
-  * Every point without a patch after that is re-assigned to a neighbouring patch or left as noise. */
+  * Every point without a patch after that is re-assigned to a neighbouring patch or left as noise.
+  * \param[in] threads number of threads, 0: all processors */
 PCL_ATTENTION_EXPORTS void
 extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters,
-                      PlanarPatches& result);
+                      PlanarPatches& result, int threads = 1);
 
 /** \brief The same where some patches are there already.
-  * \param[in] taken of the cloud's size: 0, or the labels 1, 2, ... of those patches; the others have the labels after them
-  * \param[in] threads number of threads, 0: all processors */
+  * \param[in] taken of the cloud's size: 0, or the labels 1, 2, ... of those patches; the others have the labels after them */
 PCL_ATTENTION_EXPORTS void
 extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, Image<int>&& taken,
                       const PatchParameters& parameters, PlanarPatches& result, int threads = 1);

@@ -18,8 +18,8 @@ PlanarPatchExtraction<PointT>::extract (std::vector<pcl::PointIndices>& patches)
   const bool done = this->run ("extract", [&] {
     // Those of the pipeline would already be cut along the planes of the background.
     pcl_attention::extractPlanarPatches (pipeline_.cloud (), pipeline_.normals (), this->getPatchParameters (),
-                                         patches_);
-    pcl_attention::cutAtSteps (pipeline_.cloud (), {}, getPatchGraphParameters (), patches_);
+                                         patches_, pipeline_.threads ());
+    pcl_attention::cutAtSteps (pipeline_.cloud (), {}, getPatchGraphParameters (), patches_, pipeline_.threads ());
     for (const pcl_attention::PlanarPatch& patch : patches_.patches)
     {
       patches.emplace_back ();
@@ -66,7 +66,8 @@ PlanarPatchExtraction<PointT>::getPatchGraph ()
   if (this->isStarted ())
     this->run ("getPatchGraph", [&] {
       graph = pcl_attention::buildPatchGraph (pipeline_.cloud (), pipeline_.normals (), patches_.labels,
-                                              static_cast<int> (patches_.patches.size ()), getPatchGraphParameters ());
+                                              static_cast<int> (patches_.patches.size ()), getPatchGraphParameters (),
+                                              pipeline_.threads ());
       pcl_attention::disconnectSteps (pipeline_.cloud (), patches_, {}, getPatchGraphParameters (), graph);
       return (true);
     });
