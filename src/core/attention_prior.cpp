@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "patch_groups.h"
 #include "point_at.h"
 
 #include <pcl_attention/core/attention_prior.h>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace pcl_attention
 {
@@ -184,32 +184,10 @@ colorSimilarity (const Color& a, const Color& b, float tolerance)
 std::vector<int>
 groupPatches (const PlanarPatches& patches, const PatchGraph& graph, const std::vector<std::uint8_t>& excluded)
 {
-  const auto isExcluded = [&] (int label) { return (!excluded.empty () && excluded[label]); };
   const ClusteringParameters like_growth; // whatever the preset, a piece is what the default would not part
-  std::vector<int> parent (patches.patches.size () + 1);
-  std::iota (parent.begin (), parent.end (), 0);
-  const auto root = [&] (int label) {
-    while (parent[label] != label)
-      label = parent[label] = parent[parent[label]];
-    return (label);
-  };
-  for (const auto& [labels, border] : graph.borders)
-    if (!isExcluded (labels.first) && !isExcluded (labels.second) &&
-        border.connectedShare () >= like_growth.minimum_connection && border.convexity () >= like_growth.minimum_convexity)
-      parent[root (labels.second)] = root (labels.first);
-
-  std::vector<int> piece (parent.size (), 0), piece_of_root (parent.size (), 0);
-  int count = 0;
-  for (int label = 1; label < static_cast<int> (piece.size ()); ++label)
-  {
-    if (isExcluded (label))
-      continue;
-    int& number = piece_of_root[root (label)];
-    if (number == 0)
-      number = ++count;
-    piece[label] = number;
-  }
-  return (piece);
+  return (groupsOf (graph, patches.patches.size (), excluded, [&] (const PatchBorder& border) {
+    return (border.connectedShare () >= like_growth.minimum_connection && border.convexity () >= like_growth.minimum_convexity);
+  }));
 }
 
 Image<float>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex_hull.h"
 #include "object_hull.h"
+#include "patch_groups.h"
 #include "point_at.h"
 
 #include <pcl_attention/core/bands.h>
@@ -124,29 +125,12 @@ CompactClustering::~CompactClustering () = default;
 void
 CompactClustering::findIslands ()
 {
-  island_of_.assign (patches_.patches.size () + 1, -1);
-  for (const int seed : seeds_)
-  {
-    if (island_of_[seed] >= 0)
-      continue;
-    const auto island = static_cast<int> (islands_.size ());
-    islands_.emplace_back ();
-    island_of_[seed] = island;
-    std::vector<int> reached{seed};
-    while (!reached.empty ())
-    {
-      const int label = reached.back ();
-      reached.pop_back ();
-      for (const int neighbor : graph_.neighbors[label])
-        // A border of several patches has no larger share that is connected than the best of them.
-        if (island_of_[neighbor] < 0 && !(parameters_.stay_off_support && isSupport (neighbor)) &&
-            graph_.border (label, neighbor).connectedShare () >= parameters_.minimum_connection)
-        {
-          island_of_[neighbor] = island;
-          reached.push_back (neighbor);
-        }
-    }
-  }
+  // A border of several patches has no larger share that is connected than the best of them.
+  const std::vector<std::uint8_t> excluded = parameters_.stay_off_support ? support_patches_ : std::vector<std::uint8_t> ();
+  island_of_ = groupsOf (graph_, patches_.patches.size (), excluded, [this] (const PatchBorder& border) {
+    return (border.connectedShare () >= parameters_.minimum_connection);
+  });
+  islands_.resize (*std::max_element (island_of_.begin (), island_of_.end ()) + 1);
   for (const int seed : seeds_)
     islands_[island_of_[seed]].seeds.push_back (seed);
 }
@@ -538,8 +522,11 @@ CompactClustering::growAhead (const std::function<bool ()>& is_over)
     forEachSeed ([this] (int label) { patchHull (label); });
   forEachBand (static_cast<int> (islands_.size ()), 1, 1, [&] (int island, int) {
     for (const int seed : islands_[island].seeds)
-      if (!is_over ())
-        pieceAt (seed);
+    {
+      if (is_over ())
+        return;
+      pieceAt (seed);
+    }
   });
 }
 
