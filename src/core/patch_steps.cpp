@@ -385,35 +385,26 @@ struct Piece
   std::vector<int> cuts;
 };
 
-/** \brief What is left of a patch after all cuts, the piece that keeps its label first; nothing of one that stays whole. */
+/** \brief What is left of a patch after all cuts, the piece that keeps its label first. */
 std::vector<Piece>
 piecesOf (const OrganizedCloud& cloud, const pcl::Indices& pixels, const PatchGraphParameters& parameters)
 {
-  std::optional<Line> line = stepIn (cloud, pixels, parameters);
-  if (!line)
-    return {};
   std::vector<Piece> pieces{{pixels, {}}};
   int cuts = 0;
-  for (std::size_t k = 0; k < pieces.size ();)
-  {
-    if (!line)
+  for (std::size_t k = 0; k < pieces.size (); ++k)
+    while (const std::optional<Line> line = stepIn (cloud, pieces[k].pixels, parameters))
     {
-      if (++k < pieces.size ())
-        line = stepIn (cloud, pieces[k].pixels, parameters);
-      continue;
+      Piece before{{}, pieces[k].cuts}, behind{{}, pieces[k].cuts};
+      for (const pcl::index_t index : pieces[k].pixels)
+        (line->isBefore (index % cloud.width, index / cloud.width) ? before : behind).pixels.push_back (index);
+      ++cuts;
+      before.cuts.push_back (cuts);
+      behind.cuts.push_back (-cuts);
+      if (before.pixels.size () < behind.pixels.size ())
+        std::swap (before, behind);
+      pieces[k] = std::move (before);
+      pieces.push_back (std::move (behind));
     }
-    Piece before{{}, pieces[k].cuts}, behind{{}, pieces[k].cuts};
-    for (const pcl::index_t index : pieces[k].pixels)
-      (line->isBefore (index % cloud.width, index / cloud.width) ? before : behind).pixels.push_back (index);
-    ++cuts;
-    before.cuts.push_back (cuts);
-    behind.cuts.push_back (-cuts);
-    if (before.pixels.size () < behind.pixels.size ())
-      std::swap (before, behind);
-    pieces[k] = std::move (before);
-    pieces.push_back (std::move (behind));
-    line = stepIn (cloud, pieces[k].pixels, parameters);
-  }
   return (pieces);
 }
 
@@ -445,7 +436,7 @@ cutAtSteps (const OrganizedCloud& cloud, const std::vector<std::uint8_t>& exclud
   for (int k = 0; k < count; ++k)
   {
     int cuts_of_patch = 0;
-    for (std::size_t piece = 0; piece < pieces[k].size (); ++piece)
+    for (std::size_t piece = 0; piece < pieces[k].size () && pieces[k].size () > 1; ++piece)
     {
       const int label = piece == 0 ? k + 1 : static_cast<int> (patches.patches.size ()) + 1;
       if (piece > 0)
