@@ -59,7 +59,7 @@ main (int argc, char** argv)
 {
   pcl_attention::CommandLine command_line (
       "pcl_attention_make_scene OUTPUT.pcd [flags]",
-      "Renders labelled RGB-D scenes of objects on a table, as a Kinect would see them: an organized PCD\n"
+      "Renders labelled RGB-D scenes of objects on a table, as a Kinect or a stereo camera would see them: an organized PCD\n"
       "with x y z rgba label. Labels: 0 no depth, 1 table, 2 floor, 3 and 4 walls, 20 + 10 k object k,\n"
       "its separately visible pieces + 0, + 1, ...");
   command_line.addOptions () ("kind", po::value<std::string> ()->default_value ("clutter"),
@@ -68,7 +68,9 @@ main (int argc, char** argv)
       "number of objects, 0 = as usual for the kind; fewer where no more find room") (
       "seed", po::value<long long> ()->default_value (0), "of the scene, and of its noise without -noise_seed") (
       "noise_seed", po::value<long long> (), "of the noise: other frames of a still camera") (
-      "noise", po::value<double> ()->default_value (1.0), "of the sensor: 0 = exact, 1 = Kinect, up to 3") (
+      "sensor", po::value<std::string> ()->default_value ("kinect"),
+      "whose noise: kinect, or stereo, which smooths creases and small steps away") (
+      "noise", po::value<double> ()->default_value (1.0), "of the sensor: 0 = exact, 1 = the sensor's own, up to 3") (
       "width", po::value<int> ()->default_value (640),
       "of the image, pixels") ("height", po::value<int> ()->default_value (480), "of the image, pixels") (
       "world", po::bool_switch (),
@@ -101,6 +103,9 @@ main (int argc, char** argv)
   const long long noise_seed = has_noise_seed ? command_line.get<long long> ("noise_seed") : 0;
   if (noise_seed < 0)
     command_line.fail ("-noise_seed takes 0 or more, not " + std::to_string (noise_seed));
+  const auto sensor = pcl_attention::sceneSensorFromName (command_line.get<std::string> ("sensor"));
+  if (!sensor)
+    command_line.fail ("no sensor '" + command_line.get<std::string> ("sensor") + "', -sensor takes kinect or stereo");
   const double noise = command_line.get<double> ("noise");
   if (!(noise >= 0.0 && noise <= pcl_attention::SensorNoise::max_level))
     command_line.fail ("-noise takes 0 (exact) to 3, not " + std::to_string (noise));
@@ -114,6 +119,7 @@ main (int argc, char** argv)
       auto scene = pcl_attention::makeScene (*kind, scene_seed, static_cast<unsigned> (objects));
       scene.camera = scene.camera.resized (width, height);
       scene.noise.level = noise;
+      scene.noise.sensor = *sensor;
       scene.world_frame = command_line.get<bool> ("world");
       const std::string file = fileName (output, number, count);
       save (*pcl_attention::renderScene (scene, has_noise_seed ? static_cast<std::uint64_t> (noise_seed) : scene_seed), file);

@@ -95,7 +95,18 @@ struct SceneObject
   double bowlCenter () const;
 };
 
-/** \brief What a Kinect adds to the scene. Every component can be switched off on its own.
+/** \brief Whose noise a scene is rendered with. */
+enum class SceneSensor
+{
+  kinect, /**< \brief structured light: noise of a few pixels' width and steps, see SensorNoise */
+  stereo  /**< \brief active stereo behind the filters it is shipped with: smooth waves instead of noise, and creases and
+           * small steps are smoothed away, see SensorNoise */
+};
+
+/** \return the sensor of that name, "kinect" or "stereo", nothing where there is none */
+std::optional<SceneSensor> sceneSensorFromName (const std::string& name);
+
+/** \brief What a sensor adds to the scene. Every component can be switched off on its own. Of a Kinect:
  *
  * - axial: noise along the ray, Gaussian in disparity. Together with the quantization its standard deviation on a wall
  *   facing the camera is 1.425e-3 z^2 metres: half a disparity unit of (m / fb) = 2.85e-3 per metre [1]. Slanted
@@ -109,26 +120,46 @@ struct SceneObject
  *
  * All but the colour's noise is correlated over about 3 pixels, as the Kinect's is by its correlation window.
  *
+ * Of a stereo camera, where it differs:
+ * - axial: Gaussian in disparity, 3e-3 per metre in 1 / z, correlated over some 10 pixels.
+ * - smoothing: 1 / z is smoothed with the same window, except across jumps of more than 0.024 per metre (5/8 pixel of
+ *   disparity at a baseline of 5 cm: 15 mm at 0.8 m).
+ * - quantization: of the depth, in millimetres.
+ * - shadows: the second camera stands 5 cm to the right.
+ * Window and deviation are those at which second differences of 1 / z on a plane, taken over 2 to 16 pixels, are as
+ * large as in recordings of an Intel RealSense D4xx.
+ *
  * [1] K. Khoshelham, S. O. Elberink: Accuracy and Resolution of Kinect Depth Data for Indoor Mapping Applications.
  *     Sensors 12, 2012.
  * [2] C. V. Nguyen, S. Izadi, D. Lovell: Modeling Kinect Sensor Noise for Improved 3D Reconstruction and Tracking.
  *     3DIMPVT 2012. */
 struct SensorNoise
 {
-  double level = 1.0; /**< \brief 0 (exact) to 3; scales noise and steps, while shadows are just there above 0 */
+  SceneSensor sensor = SceneSensor::kinect;
+  double level = 1.0; /**< \brief 0 (exact) to 3; scales noise and steps; shadows and smoothing are just there above 0 */
   bool axial = true, quantization = true, lateral = true, shadows = true, grazing_holes = true, edge_holes = true,
-       color = true;
+       color = true, smoothing = true;
 
   static constexpr double max_level = 3.0;
-  static constexpr double disparity_unit = 2.85e-3;   /**< \brief one step in 1 / z, 1 / metres */
-  static constexpr double projector_baseline = 0.075; /**< \brief metres */
+  static constexpr double disparity_unit = 2.85e-3;   /**< \brief a Kinect's step in 1 / z, 1 / metres */
+  static constexpr double stereo_deviation = 3e-3;    /**< \brief of a stereo camera's 1 / z, 1 / metres */
+  static constexpr double stereo_jump = 0.024;        /**< \brief in 1 / z, that is not smoothed, 1 / metres */
+  static constexpr double stereo_smoothing = 4.0;     /**< \brief length of each of the four recursions, pixels */
+
+  /** \return from the camera to the projector, or to the second camera of a pair, metres */
+  double
+  baseline () const
+  {
+    return (sensor == SceneSensor::kinect ? 0.075 : 0.05);
+  }
 
   /** \return standard deviation on a wall that faces the camera, with axial noise and quantization, metres
    * \param[in] depth metres */
   double
   axialDeviation (double depth) const
   {
-    return (level * 0.5 * disparity_unit * depth * depth);
+    const double deviation = sensor == SceneSensor::kinect ? 0.5 * disparity_unit : stereo_deviation;
+    return (level * deviation * depth * depth);
   }
 };
 

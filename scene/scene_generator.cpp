@@ -542,6 +542,16 @@ sceneKindFromName (const std::string& name)
   return (std::nullopt);
 }
 
+std::optional<SceneSensor>
+sceneSensorFromName (const std::string& name)
+{
+  if (name == "kinect")
+    return (SceneSensor::kinect);
+  if (name == "stereo")
+    return (SceneSensor::stereo);
+  return (std::nullopt);
+}
+
 SceneDescription
 makeScene (SceneKind kind, std::uint64_t seed, unsigned n_objects)
 {

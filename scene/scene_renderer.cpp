@@ -89,6 +89,61 @@ correlatedNoise (int width, int height, const CounterRandom& random)
   return (noise);
 }
 
+/** \brief Recursive smoothing along rows and columns, there and back, twice; what jumps by \a jump or more is not
+ * smoothed over, nor are holes. */
+template <typename T> void
+smooth (Image<T>& image, int width, int height, double jump)
+{
+  const double weight = 1.0 - std::exp (-1.0 / SensorNoise::stereo_smoothing);
+  const auto pass = [weight, jump] (T& value, T& previous) {
+    if (std::abs (value - previous) < jump)
+      value = static_cast<T> (previous + weight * (value - previous));
+  };
+  for (int round = 0; round < 2; ++round)
+  {
+#pragma omp parallel for schedule(static)
+    for (int row = 0; row < height; ++row)
+    {
+      for (int column = 1; column < width; ++column)
+        pass (image (column, row), image (column - 1, row));
+      for (int column = width - 2; column >= 0; --column)
+        pass (image (column, row), image (column + 1, row));
+    }
+#pragma omp parallel for schedule(static)
+    for (int column = 0; column < width; ++column)
+    {
+      for (int row = 1; row < height; ++row)
+        pass (image (column, row), image (column, row - 1));
+      for (int row = height - 2; row >= 0; --row)
+        pass (image (column, row), image (column, row + 1));
+    }
+  }
+}
+
+/** \brief Normal numbers (mean 0, deviation 1) under the window of smooth. */
+Image<float>
+wavyNoise (int width, int height, const CounterRandom& random)
+{
+  Image<float> noise (width, height);
+#pragma omp parallel for schedule(static)
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+      noise (column, row) = static_cast<float> (
+          random.normal (static_cast<std::uint64_t> (row) << 32 | static_cast<std::uint64_t> (column)));
+  smooth (noise, width, height, std::numeric_limits<double>::infinity ());
+  constexpr int reach = 100; // pixels
+  Image<float> impulse (2 * reach + 1, 1);
+  impulse (reach, 0) = 1.0F;
+  smooth (impulse, 2 * reach + 1, 1, std::numeric_limits<double>::infinity ());
+  double deviation = 0.0; // sqrt (sum of squares), squared as the window is applied along rows and along columns
+  for (int column = 0; column <= 2 * reach; ++column)
+    deviation += impulse (column, 0) * impulse (column, 0);
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+      noise (column, row) /= static_cast<float> (deviation);
+  return (noise);
+}
+
 /** \brief Number the visible pieces of every object by decreasing size.
  * \param[in,out] labels one a pixel; in: the object's, out: plus the number of the piece */
 void
@@ -145,7 +200,7 @@ public:
   Renderer (const SceneDescription& scene, std::uint64_t seed)
       : scene_ (scene), camera_ (scene.camera), noise_ (scene.noise), tracer_ (scene), color_random_ (seed, 0),
         jitter_x_ (field (seed, 1, noise_.lateral)), jitter_y_ (field (seed, 2, noise_.lateral)),
-        axial_ (field (seed, 3, noise_.axial)), holes_ (field (seed, 4, noise_.grazing_holes || noise_.edge_holes)),
+        axial_ (axialField (seed)), holes_ (field (seed, 4, noise_.grazing_holes || noise_.edge_holes)),
         labels_ (camera_.width, camera_.height), depth_ (camera_.width, camera_.height, nan),
         angle_ (camera_.width, camera_.height)
   {
@@ -166,6 +221,8 @@ public:
       for (int column = 0; column < camera_.width; ++column)
         castRay (column, row, (*cloud)[pixelIndex (column, row)]);
     numberPieces (labels_, camera_.width, camera_.height);
+    if (noise_.sensor == SceneSensor::stereo && noise_.smoothing && noise_.level > 0.0)
+      smoothDepths ();
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < camera_.height; ++row)
       for (int column = 0; column < camera_.width; ++column)
@@ -187,6 +244,14 @@ private:
     if (!is_used || noise_.level == 0.0)
       return {camera_.width, camera_.height, 0.0F};
     return (correlatedNoise (camera_.width, camera_.height, CounterRandom (seed, stream)));
+  }
+
+  Image<float>
+  axialField (std::uint64_t seed) const
+  {
+    if (noise_.sensor == SceneSensor::kinect || !noise_.axial || noise_.level == 0.0)
+      return (field (seed, 3, noise_.axial));
+    return (wavyNoise (camera_.width, camera_.height, CounterRandom (seed, 3)));
   }
 
   /** \return the direction of a pixel's ray in the camera's frame, of unit z: distances along it are depths */
@@ -229,7 +294,7 @@ private:
     angle_ (column, row) = static_cast<float> (std::acos (std::max (0.0, cosine)));
     if (noise_.level > 0.0)
     {
-      const Vector3d projector = camera_.pose * Vector3d (SensorNoise::projector_baseline, 0, 0);
+      const Vector3d projector = camera_.pose * Vector3d (noise_.baseline (), 0, 0);
       const double limit = (80.0 + 3.0 * noise_.level * holes_ (column, row)) * degree;
       if ((noise_.grazing_holes && angle_ (column, row) > limit) ||
           (noise_.shadows && tracer_.blocked (position + 1e-4 * hit.normal, projector)))
@@ -277,6 +342,50 @@ private:
     return (false);
   }
 
+  void
+  smoothDepths ()
+  {
+    const auto invert = [this] {
+#pragma omp parallel for schedule(static)
+      for (int row = 0; row < camera_.height; ++row)
+        for (int column = 0; column < camera_.width; ++column)
+          depth_ (column, row) = 1.0 / depth_ (column, row);
+    };
+    invert ();
+    smooth (depth_, camera_.width, camera_.height, SensorNoise::stereo_jump);
+    invert ();
+  }
+
+  /** \brief Depth of a Kinect with axial noise and quantization. */
+  double
+  kinectDepth (int column, int row, double depth) const
+  {
+    const double step = noise_.level * SensorNoise::disparity_unit;
+    double inverse = 1.0 / depth;
+    if (noise_.axial)
+    {
+      // Quantization contributes 1/12 of a squared step to the (1/2)^2 that were measured in all.
+      const double angle = std::min<double> (angle_ (column, row), 85.0 * degree);
+      const double slant = noise_.level * 1e-4 / std::sqrt (depth) * std::pow (angle / (90.0 * degree - angle), 2);
+      inverse += axial_ (column, row) * (step * std::sqrt (0.25 - 1.0 / 12.0) + slant * inverse * inverse);
+    }
+    if (noise_.quantization)
+      inverse = step * std::round (inverse / step);
+    return (inverse > 0.0 ? 1.0 / inverse : nan);
+  }
+
+  /** \brief Depth of a stereo camera with axial noise and quantization. */
+  double
+  stereoDepth (int column, int row, double depth) const
+  {
+    double inverse = 1.0 / depth;
+    if (noise_.axial)
+      inverse += axial_ (column, row) * noise_.level * SensorNoise::stereo_deviation;
+    if (!(inverse > 0.0))
+      return (nan);
+    return (noise_.quantization ? std::round (1000.0 / inverse) / 1000.0 : 1.0 / inverse);
+  }
+
   /** \brief The point of a pixel: axial noise, quantization, holes along edges. */
   void
   measure (int column, int row, pcl::PointXYZRGBL& point) const
@@ -285,20 +394,7 @@ private:
     if (noise_.edge_holes && noise_.level * holes_ (column, row) > 1.0 && isDepthEdge (column, row))
       depth = nan;
     if (noise_.level > 0.0)
-    {
-      const double step = noise_.level * SensorNoise::disparity_unit;
-      double inverse = 1.0 / depth;
-      if (noise_.axial)
-      {
-        // Quantization contributes 1/12 of a squared step to the (1/2)^2 that were measured in all.
-        const double angle = std::min<double> (angle_ (column, row), 85.0 * degree);
-        const double slant = noise_.level * 1e-4 / std::sqrt (depth) * std::pow (angle / (90.0 * degree - angle), 2);
-        inverse += axial_ (column, row) * (step * std::sqrt (0.25 - 1.0 / 12.0) + slant * inverse * inverse);
-      }
-      if (noise_.quantization)
-        inverse = step * std::round (inverse / step);
-      depth = inverse > 0.0 ? 1.0 / inverse : nan;
-    }
+      depth = noise_.sensor == SceneSensor::kinect ? kinectDepth (column, row, depth) : stereoDepth (column, row, depth);
     Vector3d position = depth * direction (column, row);
     if (scene_.world_frame)
       position = camera_.pose * position;

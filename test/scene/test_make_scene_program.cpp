@@ -152,3 +152,16 @@ TEST_F (MakeScene, HelpExitsWithZero)
   EXPECT_NE (out_.find ("empty_table"), std::string::npos);
   EXPECT_EQ (err_, "");
 }
+
+TEST_F (MakeScene, OfAnotherSensor)
+{
+  ASSERT_EQ (run ("kinect.pcd -kind single_box -width 160 -height 120 -seed 3"), 0) << err_;
+  ASSERT_EQ (run ("stereo.pcd -kind single_box -width 160 -height 120 -seed 3 -sensor stereo"), 0) << err_;
+  Cloud kinect, stereo;
+  ASSERT_EQ (pcl::io::loadPCDFile ((directory_ / "kinect.pcd").string (), kinect), 0);
+  ASSERT_EQ (pcl::io::loadPCDFile ((directory_ / "stereo.pcd").string (), stereo), 0);
+  EXPECT_NE (kinect[80 + 60 * 160].z, stereo[80 + 60 * 160].z);
+  EXPECT_EQ (run ("other.pcd -sensor laser"), 2);
+  EXPECT_NE (err_.find ("no sensor 'laser', -sensor takes kinect or stereo"), std::string::npos) << err_;
+  EXPECT_FALSE (fs::exists (directory_ / "other.pcd"));
+}

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <pcl/console/print.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <set>
@@ -254,6 +256,95 @@ TEST (SceneRenderer, TheShadowLiesWhereTheProjectorDoesNotReach)
     holes += is_shadow;
   }
   EXPECT_EQ (holes, 13);
+}
+
+TEST (StereoSensor, NoiseIsWavesOfTheDocumentedDeviation)
+{
+  for (const double depth : {1.0, 2.0})
+  {
+    SceneDescription scene = wallAt (depth);
+    scene.noise.sensor = SceneSensor::stereo;
+    scene.noise.axial = true;
+    EXPECT_DOUBLE_EQ (scene.noise.axialDeviation (depth), 3e-3 * depth * depth);
+    const Statistics measured = depthStatistics (*renderScene (scene, 3));
+    EXPECT_NEAR (measured.deviation, 3e-3 * depth * depth, 0.1 * 3e-3 * depth * depth);
+    EXPECT_NEAR (measured.mean, depth, 2e-3 * depth * depth);
+  }
+}
+
+TEST (StereoSensor, NoiseIsCorrelatedByTwoExponentialWindows)
+{
+  // There and back is exp (-|x| / 4); twice, and once more for what two pixels have in common.
+  std::vector<double> window{1.0};
+  for (int round = 0; round < 4; ++round)
+  {
+    std::vector<double> wider (window.size () + 120, 0.0);
+    for (std::size_t i = 0; i < window.size (); ++i)
+      for (int k = -60; k <= 60; ++k)
+        wider[i + static_cast<std::size_t> (k + 60)] += window[i] * std::exp (-std::abs (k) / 4.0);
+    window = wider;
+  }
+  const std::size_t middle = window.size () / 2;
+  SceneDescription scene = wallAt (1.0);
+  scene.noise.sensor = SceneSensor::stereo;
+  scene.noise.axial = true;
+  const auto cloud = renderScene (scene, 8);
+  for (const int lag : {2, 4, 8, 16, 32})
+    for (const auto& [dx, dy] : {std::pair<int, int> (lag, 0), std::pair<int, int> (0, lag)})
+    {
+      double sum = 0.0, squares = 0.0;
+      for (int row = 0; row + dy < 480; ++row)
+        for (int column = 0; column + dx < 640; ++column)
+        {
+          const double a = cloud->at (column, row).z - 1.0, b = cloud->at (column + dx, row + dy).z - 1.0;
+          sum += a * b;
+          squares += a * a;
+        }
+      EXPECT_NEAR (sum / squares, window[middle + static_cast<std::size_t> (lag)] / window[middle], 0.06) << dx << " " << dy;
+    }
+}
+
+TEST (StereoSensor, SmallStepsAreSmoothedAndJumpsAreNot)
+{
+  const auto depths = [] (double behind, bool smoothing) {
+    SceneDescription scene = boardScene ();
+    scene.supports[0].pose.translation ().z () = 1.0 + behind;
+    scene.noise.sensor = SceneSensor::stereo;
+    scene.noise.smoothing = smoothing;
+    std::vector<double> row;
+    for (int column = 200; column < 319; ++column)
+      row.push_back (renderScene (scene)->at (column, 240).z);
+    return (row);
+  };
+  // The board, whose left edge is at column 267, 8 mm before a wall: .008 in 1 / z of the .024 that is a jump.
+  const std::vector<double> step = depths (0.008, true), sharp = depths (0.008, false), jump = depths (0.1, true);
+  EXPECT_NEAR (step.front (), 1.008, 3e-4);
+  EXPECT_NEAR (step.back (), 1.0, 3e-4);
+  EXPECT_NEAR (0.5 * (step[66] + step[67]), 1.004, 5e-4) << "half way at the edge";
+  EXPECT_TRUE (std::is_sorted (step.rbegin (), step.rend ()));
+  // Of exp (-|x| / 4) twice, (1 + |x| / 4) exp (-|x| / 4), (2 + x / 4) exp (-x / 4) / 4 lies beyond x: at 6 pixels .195.
+  EXPECT_NEAR ((step[60] - 1.0) / 0.008, 1.0 - 0.195, 0.05);
+  EXPECT_NEAR (sharp[66], 1.008, 1e-5);
+  EXPECT_NEAR (sharp[67], 1.0, 1e-5);
+  EXPECT_NEAR (jump[66], 1.1, 1e-5);
+  EXPECT_NEAR (jump[67], 1.0, 1e-5);
+}
+
+TEST (StereoSensor, DepthsAreMillimetresAndTheShadowIsNarrower)
+{
+  SceneDescription scene = boardScene ();
+  scene.noise.sensor = SceneSensor::stereo;
+  scene.noise.shadows = scene.noise.axial = scene.noise.quantization = true;
+  const auto cloud = renderScene (scene);
+  int holes = 0;
+  for (int column = 0; column < 640; ++column)
+  {
+    const auto& point = cloud->at (column, 240);
+    holes += point.label == 0;
+    const double millimetres = point.label == 0 ? 0.0 : 1000.0 * point.z;
+    EXPECT_NEAR (millimetres, std::round (millimetres), 1e-3);
+  }
+  EXPECT_EQ (holes, 8) << "from x = -.15 to -.175 at 1.5 m, columns 259 to 266";
 }
 
 TEST (SceneRenderer, GrazingRaysHaveNoDepth)

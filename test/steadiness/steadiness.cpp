@@ -89,7 +89,7 @@ segmentOf (const Mask& object, const Frame& frame)
 }
 
 int
-measure (int scenes, int seeds, double level, unsigned int threads, bool verbose, double least_share)
+measure (int scenes, int seeds, const SensorNoise& noise, unsigned int threads, bool verbose, double least_share)
 {
   constexpr SceneKind kinds[] = {SceneKind::clutter,  SceneKind::boxes,     SceneKind::stacked,
                                  SceneKind::occluded, SceneKind::cylinders, SceneKind::separate};
@@ -102,7 +102,7 @@ measure (int scenes, int seeds, double level, unsigned int threads, bool verbose
   {
     const SceneKind kind = kinds[static_cast<std::size_t> (k) % std::size (kinds)];
     SceneDescription scene = makeScene (kind, 1000 + static_cast<std::uint64_t> (k));
-    scene.noise.level = level;
+    scene.noise = noise;
     std::vector<Frame> frames;
     for (int seed = 0; seed < seeds; ++seed)
       frames.push_back (see (scene, static_cast<std::uint64_t> (seed), segmentation));
@@ -132,7 +132,7 @@ measure (int scenes, int seeds, double level, unsigned int threads, bool verbose
     }
   }
   const double share = pairs > 0 ? static_cast<double> (kept) / pairs : 0.0;
-  std::cout << scenes << " scenes, " << seeds << " seeds of the noise of level " << level << ", " << objects << " objects\n"
+  std::cout << scenes << " scenes, " << seeds << " seeds of the noise of level " << noise.level << ", " << objects << " objects\n"
             << "segments with IoU >= " << same << " between two seeds: " << kept << " of " << pairs << ", " << share << "\n"
             << "objects with such segments between all seeds: " << steady << ", " << static_cast<double> (steady) / std::max (1, objects)
             << std::endl;
@@ -152,7 +152,8 @@ main (int argc, char** argv)
   command_line.addOptions ()
     ("scenes", po::value<int> ()->default_value (200), "scenes")
     ("seeds", po::value<int> ()->default_value (5), "seeds of the noise for each scene, 2 or more")
-    ("noise", po::value<double> ()->default_value (1.0), "level of the noise: 0 = exact, 1 = Kinect, up to 3")
+    ("sensor", po::value<std::string> ()->default_value ("kinect"), "whose noise: kinect or stereo")
+    ("noise", po::value<double> ()->default_value (1.0), "level of the noise: 0 = exact, 1 = the sensor's own, up to 3")
     ("verbose", "name the objects that change")
     ("least", po::value<double> ()->default_value (0.9), "share that has to keep its segment, 0 to 1");
   // clang-format on
@@ -161,9 +162,15 @@ main (int argc, char** argv)
   const int scenes = command_line.get<int> ("scenes"), seeds = command_line.get<int> ("seeds");
   if (scenes < 1 || seeds < 2)
     command_line.fail ("-scenes must be 1 or more, -seeds 2 or more");
+  const auto sensor = sceneSensorFromName (command_line.get<std::string> ("sensor"));
+  if (!sensor)
+    command_line.fail ("no sensor '" + command_line.get<std::string> ("sensor") + "', -sensor takes kinect or stereo");
+  SensorNoise noise;
+  noise.sensor = *sensor;
+  noise.level = command_line.get<double> ("noise");
   try
   {
-    return (measure (scenes, seeds, command_line.get<double> ("noise"), threadsFromFlag (command_line), command_line.has ("verbose"),
+    return (measure (scenes, seeds, noise, threadsFromFlag (command_line), command_line.has ("verbose"),
                      command_line.get<double> ("least")));
   }
   catch (const std::exception& error)
