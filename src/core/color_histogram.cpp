@@ -1,10 +1,71 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "even_samples.h"
+
 #include <pcl_attention/core/color_histogram.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 
 namespace pcl_attention
 {
+
+namespace
+{
+
+template <std::size_t Bins> float
+distance (const Histogram<Bins>& a, const Histogram<Bins>& b)
+{
+  if (a.total <= 0.0f || b.total <= 0.0f)
+    return (0.0f);
+  constexpr float rounding = 1e-6f; // what is left of a bin whose counts were taken away again, even below 0
+  using Shares = Eigen::Array<float, Bins, 1>;
+  const Shares share_a = Eigen::Map<const Shares> (a.counts.data ()) / a.total;
+  const Shares share_b = Eigen::Map<const Shares> (b.counts.data ()) / b.total;
+  return (0.5f * ((share_a - share_b).square () / (share_a + share_b).max (rounding)).sum ());
+}
+
+} // namespace
+
+void
+HexconeHistogram::add (std::uint8_t red, std::uint8_t green, std::uint8_t blue, float weight)
+{
+  constexpr float half_root_of_3 = 0.8660254f;
+  const float r = red, g = green, b = blue, largest = std::max ({r, g, b, 1.0f});
+  const float across = (r - 0.5f * (g + b)) / largest, along = half_root_of_3 * (g - b) / largest;
+  const auto split = [] (float share, int cells) {
+    const float place = share * static_cast<float> (cells - 1);
+    const int cell = std::min (static_cast<int> (place), cells - 2);
+    return (std::pair<int, float> (cell, place - static_cast<float> (cell)));
+  };
+  const auto [i, i_share] = split (0.5f + 0.5f * across, side);
+  const auto [j, j_share] = split (0.5f + 0.5f * along, side);
+  const auto [k, k_share] = split (largest / 255.0f, values);
+  float* const cell = &counts[static_cast<std::size_t> ((i * side + j) * values + k)];
+  constexpr int next_i = side * values, next_j = values, next_k = 1;
+  const float near = weight * (1.0f - i_share), far = weight * i_share;
+  const std::array<float, 4> columns{near * (1.0f - j_share), near * j_share, far * (1.0f - j_share), far * j_share};
+  const std::array<int, 4> offsets{0, next_j, next_i, next_i + next_j};
+  for (std::size_t column = 0; column < columns.size (); ++column)
+  {
+    cell[offsets[column]] += columns[column] * (1.0f - k_share);
+    cell[offsets[column] + next_k] += columns[column] * k_share;
+  }
+  total += weight;
+}
+
+HexconeHistogram
+colorsOf (const OrganizedCloud& cloud, const pcl::Indices& pixels)
+{
+  HexconeHistogram colors;
+  if (!cloud.hasColor () || pixels.empty ())
+    return (colors);
+  const pcl::Indices samples = evenSamples (pixels);
+  const float weight = static_cast<float> (pixels.size ()) / static_cast<float> (samples.size ());
+  for (const pcl::index_t index : samples)
+    colors.add (cloud.red[index], cloud.green[index], cloud.blue[index], weight);
+  return (colors);
+}
 
 int
 colorBin (std::uint8_t red, std::uint8_t green, std::uint8_t blue)
@@ -48,22 +109,20 @@ colorBins (const OrganizedCloud& cloud)
 float
 chiSquare (const ColorHistogram& a, const ColorHistogram& b)
 {
-  if (a.total <= 0.0f || b.total <= 0.0f)
-    return (0.0f);
-  float sum = 0.0f;
-  for (std::size_t bin = 0; bin < a.counts.size (); ++bin)
-  {
-    const float share_a = a.counts[bin] / a.total, share_b = b.counts[bin] / b.total;
-    if (share_a + share_b > 0.0f)
-      sum += (share_a - share_b) * (share_a - share_b) / (share_a + share_b);
-  }
-  return (0.5f * sum);
+  return (distance (a, b));
 }
 
 float
-colorContrast (const ColorHistogram& a, const ColorHistogram& b)
+chiSquare (const HexconeHistogram& a, const HexconeHistogram& b)
 {
-  return (a.total > 0.0f && b.total > 0.0f ? 2.0f * chiSquare (a, b) - 1.0f : 0.0f);
+  return (distance (a, b));
+}
+
+float
+colorContrast (const HexconeHistogram& a, const HexconeHistogram& b)
+{
+  constexpr float neither = 0.3f;
+  return (a.total > 0.0f && b.total > 0.0f ? std::clamp (chiSquare (a, b) / neither - 1.0f, -1.0f, 1.0f) : 0.0f);
 }
 
 } // namespace pcl_attention

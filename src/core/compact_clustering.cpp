@@ -62,7 +62,8 @@ struct CompactClustering::Piece
   std::vector<std::uint8_t> member;   /**< at [label] */
   std::map<int, PatchBorder> borders; /**< to every neighbour that is no member, seen from the piece */
   ObjectHull hull;
-  ColorHistogram histogram;
+  HexconeHistogram colors;
+  ColorHistogram histogram; /**< for the colour constraint; empty without it */
   int pixels{0};
   int perimeter{0};            /**< contour pairs */
   float hollowness{0.0f};           /**< of what has grown together */
@@ -92,12 +93,13 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   patch_hollowness_.resize (count);
   piece_of_.resize (count);
   for (std::size_t label = 1; label < count; ++label)
-    if (!patches.patches[label - 1].pixels.empty () && !(parameters.stay_off_support && isSupport (static_cast<int> (label))))
+    if (!patches.patches[label - 1].pixels.empty () && !isStayedOff (static_cast<int> (label)))
       seeds_.push_back (static_cast<int> (label));
   std::stable_sort (seeds_.begin (), seeds_.end (), [&] (int a, int b) {
     return (patches.patches[a - 1].pixels.size () > patches.patches[b - 1].pixels.size ());
   });
   findIslands ();
+  colors_.resize (count);
   histograms_.resize (count);
   if (parameters.color_constraint != ColorConstraint::off)
     color_bins_ = colorBins (cloud);
@@ -114,9 +116,9 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
                                   {normals.x[index], normals.y[index], normals.z[index]},
                                   static_cast<float> (pixels.size ()) / static_cast<float> (samples)});
     }
-    if (cloud.hasColor ())
-      for (const pcl::index_t index : pixels)
-        histograms_[label].add (colorBin (cloud.red[index], cloud.green[index], cloud.blue[index]));
+    colors_[label] = colorsOf (cloud, pixels);
+    for (std::size_t i = 0; i < pixels.size () && !color_bins_.empty (); ++i)
+      histograms_[label].add (color_bins_[pixels[i]]);
   });
 }
 
@@ -178,7 +180,7 @@ CompactClustering::initialPatches (const AttentionPoint& point) const
       if (!patches_.labels.contains (column, row) || distance > radius * radius)
         continue;
       const int label = patches_.labels (column, row);
-      if (label && !(parameters_.stay_off_support && isSupport (label)))
+      if (label && !isStayedOff (label))
         near.emplace_back (distance, label);
     }
   std::sort (near.begin (), near.end ());
@@ -228,6 +230,7 @@ CompactClustering::addPatch (int label, Piece& piece, ObjectHull&& united)
     if (!piece.member[neighbor])
       piece.borders[neighbor] += graph_.border (label, neighbor);
   piece.hull = std::move (united);
+  piece.colors += colors_[label];
   piece.histogram += histograms_[label];
   piece.pixels += static_cast<int> (patches_.patches[label - 1].pixels.size ());
   piece.surroundings_known = false;
@@ -374,12 +377,12 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
     step.limit = limit;
     return (step);
   };
-  if (parameters_.stay_off_support && isSupport (label))
+  if (isStayedOff (label))
     return (refuse (GrowthConstraint::support, 1.0f, 0.0f));
   if (border.connectedShare () < parameters_.minimum_connection)
     return (refuse (GrowthConstraint::connection, border.connectedShare (), parameters_.minimum_connection));
 
-  const float contrast = colorContrast (piece.histogram, histograms_[label]);
+  const float contrast = colorContrast (piece.colors, colors_[label]);
   bool hollow = false;
   if (parameters_.minimum_convexity > -2.0f)
   {
@@ -563,7 +566,7 @@ bool
 CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
 {
   if (parameters_.handle_size * piece.pixels > object.pixels || piece.hollowness > parameters_.certain_hollowness ||
-      chiSquare (object.histogram, piece.histogram) > parameters_.joined_color)
+      chiSquare (object.colors, piece.colors) > parameters_.joined_color)
     return (false);
   // The contour is counted in four directions, so that a strip of w pixels has four pairs for every w pixels of its area.
   const float depth = patches_.patches[piece.patches.front () - 1].centroid.z ();
@@ -627,7 +630,7 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
     if (candidate.hollowness > parameters_.minimum_hollowness)
       return (0.0f); // another part of the inside
     const float share = static_cast<float> (borderBetween (candidate, inside).pairs) / std::max (1, inside.perimeter);
-    const float value = share * (1.05f - chiSquare (candidate.histogram, inside.histogram));
+    const float value = share * (1.05f - chiSquare (candidate.colors, inside.colors));
     return (value >= least_score && isRim (candidate, inside) ? value : 0.0f);
   };
   const float own = score (wall);
@@ -671,7 +674,7 @@ CompactClustering::isBehindSameOccluder (const Piece& object, const Piece& piece
   };
   const Eigen::Vector3f a = centroidOf (object.patches), b = centroidOf (piece.patches);
   if ((a - b).norm () > parameters_.occluded_distance ||
-      !goesOnIn (object, piece, chiSquare (object.histogram, piece.histogram) <= parameters_.joined_color))
+      !goesOnIn (object, piece, chiSquare (object.colors, piece.colors) <= parameters_.joined_color))
     return (false);
   const Eigen::Vector2f from = centerPixel (object), to = centerPixel (piece);
   const int steps = static_cast<int> ((to - from).norm ());
@@ -712,8 +715,7 @@ CompactClustering::largePatches (const Piece& piece) const
 bool
 CompactClustering::inOnePlane (const PlanarPatch& first, const PlanarPatch& second) const
 {
-  // The larger patch tells its plane better.
-  const Eigen::Vector3f& normal = first.pixels.size () > second.pixels.size () ? first.normal : second.normal;
+  const Eigen::Vector3f normal = (first.normal + second.normal).normalized ();
   return (std::abs (normal.dot (second.centroid - first.centroid)) <=
           withNoise (parameters_.surface_tolerance, std::max (first.centroid.z (), second.centroid.z ())));
 }
@@ -745,7 +747,7 @@ CompactClustering::joinPiece (Piece& object)
   // Neighbours first, then what lies beyond them.
   std::set<int> seen;
   const auto collect = [&] (int label, std::vector<const Piece*>& pieces) {
-    if (object.member[label] || seen.count (label) || (parameters_.stay_off_support && isSupport (label)))
+    if (object.member[label] || seen.count (label) || isStayedOff (label))
       return;
     const Piece& piece = pieceAt (label);
     seen.insert (piece.patches.begin (), piece.patches.end ());
@@ -929,7 +931,7 @@ CompactClustering::takeLargerObject (Piece& object)
 {
   std::vector<std::pair<int, int>> neighbors;
   for (const auto& [label, border] : object.borders)
-    if (border.connected > 0 && !(parameters_.stay_off_support && isSupport (label)))
+    if (border.connected > 0 && !isStayedOff (label))
       neighbors.emplace_back (-border.connected, label);
   std::sort (neighbors.begin (), neighbors.end ());
   std::set<int> seen;

@@ -166,7 +166,9 @@ makeTable ()
              "... plus this many times how far their points lie off their planes; 0: off")
     .number ("step_color", &PatchGraphParameters::step_color, 0, 1, "share", "",
              "within a patch that limit is larger by this where both sides look alike, smaller where colours differ; "
-             "half of that between patches");
+             "half of that between patches")
+    .number ("cut_color", &PatchGraphParameters::cut_color, 0, 2, "", "",
+             "a patch is looked for a step also along the line that parts its colours best, from this chi-square on; above 1: off");
 
   rowsOf (table, "support", &P::support)
     .number ("support_minimum_area", &SupportParameters::minimum_area, 0, 100, "m^2", "", "of a supporting plane")

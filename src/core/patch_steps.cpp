@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "even_samples.h"
 #include "point_at.h"
 
 #include <pcl_attention/core/bands.h>
@@ -75,44 +76,11 @@ limitOf (const PatchGraphParameters& parameters, const Plane& first, const Plane
   return (parameters.step_tolerance + parameters.step_roughness * std::max (first.rms, second.rms));
 }
 
-/** \brief At most 400 pixels, which tell what a patch is like: evenly spread, and out of step with its rows. */
-pcl::Indices
-samplesOf (const pcl::Indices& pixels)
-{
-  constexpr double golden = 0.6180339887498949;
-  const std::size_t count = std::min<std::size_t> (400, pixels.size ());
-  pcl::Indices samples;
-  samples.reserve (count);
-  for (std::size_t sample = 0; sample < count; ++sample)
-  {
-    double whole;
-    const double place = static_cast<double> (sample), shift = std::modf (place * golden, &whole);
-    samples.push_back (pixels[static_cast<std::size_t> ((place + shift) * static_cast<double> (pixels.size ()) /
-                                                        static_cast<double> (count))]);
-  }
-  return (samples);
-}
-
-/** \brief See \ref colorContrast; 0 without colour. */
-double
-contrastOf (const OrganizedCloud& cloud, const PlanarPatch& first, const PlanarPatch& second)
-{
-  if (!cloud.hasColor ())
-    return (0.0);
-  const auto colorsOf = [&] (const PlanarPatch& patch) {
-    ColorHistogram colors;
-    for (const pcl::index_t index : samplesOf (patch.pixels))
-      colors.add (colorBin (cloud.red[index], cloud.green[index], cloud.blue[index]));
-    return (colors);
-  };
-  return (colorContrast (colorsOf (first), colorsOf (second)));
-}
-
 /** \brief A line in the image. */
 struct Line
 {
-  Eigen::Vector2d direction; /**< across it, unit */
-  double offset;             /**< pixels */
+  Eigen::Vector2d direction{1.0, 0.0}; /**< across it, unit */
+  double offset{0.0};                  /**< pixels */
 
   bool
   isBefore (int column, int row) const { return (direction.x () * column + direction.y () * row < offset); }
@@ -122,7 +90,8 @@ struct Line
 struct Cut
 {
   Line line;
-  double residual{std::numeric_limits<double>::infinity ()}; /**< of both parts, m^2 */
+  double residual{std::numeric_limits<double>::infinity ()}; /**< what speaks against it: of both parts, m^2, or how like their
+                                                                  colours are, 0..1 */
   double extent{0.0};    /**< of the points across the line, pixels */
   double clearness{0.0}; /**< how far the faces on both sides miss the line, in limits; 0 far below */
 };
@@ -171,7 +140,7 @@ class CutSearch
 {
 public:
   CutSearch (const OrganizedCloud& cloud, const pcl::Indices& pixels, const PatchGraphParameters& parameters)
-  : cloud_ (cloud), parameters_ (parameters), samples_ (samplesOf (pixels))
+  : cloud_ (cloud), parameters_ (parameters), samples_ (evenSamples (pixels))
   {
     smallest_ = static_cast<int> ((smallest_side * samples_.size () + pixels.size () - 1) / pixels.size ());
     PointMoments sums;
@@ -195,18 +164,38 @@ public:
   std::optional<Line>
   step ()
   {
-    const Cut coarse = clearestCoarse ();
-    if (coarse.clearness == 0.0)
-      return (std::nullopt);
-    Cut fine = refined (coarse);
-    look (fine);
-    for (const Cut& cut : {fine, coarse})
-      if (cut.clearness > 1.0)
-        return (cut.line);
-    return (std::nullopt);
+    const std::optional<Line> line = stepOfLeastResidual ();
+    return (line ? line : stepBetweenColors ());
   }
 
 private:
+  std::optional<Line>
+  stepOfLeastResidual ()
+  {
+    const Cut coarse = clearestCoarse ();
+    if (coarse.clearness == 0.0)
+      return (std::nullopt);
+    Cut fine = refined (coarse, [this] (double angle, Cut& best) { tryDirection (angle, fine_parts, best); });
+    look (fine);
+    return (fine.clearness > 1.0 ? std::optional<Line> (fine.line) : std::nullopt);
+  }
+
+  /** \brief A step that a sensor has smoothed away leaves no more residual than noise, but colours may show where it is. */
+  std::optional<Line>
+  stepBetweenColors ()
+  {
+    if (!cloud_.hasColor () || parameters_.cut_color > 1.0f)
+      return (std::nullopt);
+    Cut best;
+    for (int i = 0; i < directions; ++i)
+      tryColors (i * apart, coarse_parts, best);
+    if (best.residual > 1.0 - parameters_.cut_color)
+      return (std::nullopt);
+    Cut fine = refined (best, [this] (double angle, Cut& finer) { tryColors (angle, fine_parts, finer); });
+    look (fine);
+    return (fine.clearness > 1.0 ? std::optional<Line> (fine.line) : std::nullopt);
+  }
+
   /** \brief Of cuts that are spread over the patch and leave about the least residual the one that shows a step most clearly. */
   Cut
   clearestCoarse ()
@@ -216,7 +205,7 @@ private:
     double least = std::numeric_limits<double>::infinity ();
     for (int i = 0; i < directions; ++i)
     {
-      tryDirection (i * apart, 16, cuts[i]);
+      tryDirection (i * apart, coarse_parts, cuts[i]);
       least = std::min (least, cuts[i].residual);
     }
     const double most = std::max (least, std::min (about * least, clearly_less * all_.residual ()));
@@ -232,15 +221,16 @@ private:
     return (clearest);
   }
 
-  /** \brief The one that leaves the least residual of a cut and others that lie densely in directions near it. */
-  Cut
-  refined (const Cut& cut) const
+  /** \brief The best of a cut and others that lie densely in directions near it.
+    * \param[in] tryAt tries those across a direction */
+  template <typename Try> static Cut
+  refined (const Cut& cut, const Try& tryAt)
   {
     constexpr int finer = 4;
     Cut best = cut;
     const double angle = std::atan2 (cut.line.direction.y (), cut.line.direction.x ());
     for (int i = 1 - finer; i < finer; ++i)
-      tryDirection (angle + i * apart / finer, 32, best);
+      tryAt (angle + i * apart / finer, best);
     return (best);
   }
 
@@ -284,17 +274,19 @@ private:
 
   /** \brief -1 where both sides of a line have the same colours, 1 where they have none in common, 0 without colour. */
   double
-  contrastAcross (const Line& line)
+  contrastAcross (const Line& line) const
   {
-    if (!cloud_.hasColor ())
-      return (0.0);
-    if (bins_.empty ())
-      for (const pcl::index_t index : samples_)
-        bins_.push_back (colorBin (cloud_.red[index], cloud_.green[index], cloud_.blue[index]));
-    std::array<ColorHistogram, 2> sides;
-    for (std::size_t i = 0; i < bins_.size (); ++i)
-      sides[beyondOf (line, i) < 0.0].add (bins_[i]);
+    std::array<HexconeHistogram, 2> sides;
+    for (std::size_t i = 0; i < samples_.size () && cloud_.hasColor (); ++i)
+      addColor (i, sides[beyondOf (line, i) < 0.0]);
     return (colorContrast (sides[0], sides[1]));
+  }
+
+  void
+  addColor (std::size_t i, HexconeHistogram& colors) const
+  {
+    const pcl::index_t index = samples_[i];
+    colors.add (cloud_.red[index], cloud_.green[index], cloud_.blue[index]);
   }
 
   /** \brief How much the distance between two planes changes along a line, standard deviation. Across the line it changes at
@@ -325,12 +317,42 @@ private:
   double
   beyondOf (const Line& line, std::size_t i) const { return (line.direction.dot (places_[i]) - line.offset); }
 
-  static constexpr int directions = 8, most_parts = 32;
+  static constexpr int directions = 8, coarse_parts = 16, fine_parts = 32;
   static constexpr double apart = 3.14159265358979 / directions; /**< radians */
 
   /** \brief Try the cuts across a direction at so many places. \param[in,out] best the best one so far */
   void
   tryDirection (double angle, int parts, Cut& best) const
+  {
+    tryCuts<LocalMoments> (
+      angle, parts, all_, [this] (std::size_t i, LocalMoments& strip) { strip += local_[i]; },
+      [this] (const LocalMoments& before, const LocalMoments& behind) {
+        return (before.count < smallest_ || behind.count < smallest_ ? none : before.residual () + behind.residual ());
+      },
+      best);
+  }
+
+  /** \brief The same for cuts between colours. */
+  void
+  tryColors (double angle, int parts, Cut& best)
+  {
+    if (all_colors_.total == 0.0f)
+      for (std::size_t i = 0; i < samples_.size (); ++i)
+        addColor (i, all_colors_);
+    tryCuts<HexconeHistogram> (
+      angle, parts, all_colors_, [this] (std::size_t i, HexconeHistogram& strip) { addColor (i, strip); },
+      [this] (const HexconeHistogram& before, const HexconeHistogram& behind) {
+        const auto least = static_cast<float> (smallest_);
+        return (before.total < least || behind.total < least ? none : 1.0 - chiSquare (before, behind));
+      },
+      best);
+  }
+
+  /** \param[in] all sums over all points
+    * \param[in] addTo adds a point to the sums of a strip
+    * \param[in] residualOf of the sums of both parts */
+  template <typename Sums, typename Add, typename Judge> void
+  tryCuts (double angle, int parts, const Sums& all, const Add& addTo, const Judge& residualOf, Cut& best) const
   {
     const Eigen::Vector2d direction (std::cos (angle), std::sin (angle));
     double low = std::numeric_limits<double>::infinity (), high = -low;
@@ -343,30 +365,30 @@ private:
     const double width = (high - low) / parts;
     if (!(width > 0.0))
       return;
-    std::array<LocalMoments, most_parts> strips;
+    std::array<Sums, fine_parts> strips{};
     for (std::size_t i = 0; i < points_.size (); ++i)
-      strips[std::min (parts - 1, static_cast<int> ((direction.dot (places_[i]) - low) / width))] += local_[i];
-    LocalMoments before, behind = all_;
+      addTo (i, strips[std::min (parts - 1, static_cast<int> ((direction.dot (places_[i]) - low) / width))]);
+    Sums before, behind = all;
     for (int k = 1; k < parts; ++k)
     {
       before += strips[k - 1];
       behind -= strips[k - 1];
-      if (before.count < smallest_ || behind.count < smallest_)
-        continue;
-      const double residual = before.residual () + behind.residual ();
+      const double residual = residualOf (before, behind);
       if (residual < best.residual)
         best = {{direction, low + k * width}, residual, high - low};
     }
   }
+
+  static constexpr double none = std::numeric_limits<double>::infinity (); /**< of a cut with too few points on one side */
 
   const OrganizedCloud& cloud_;
   const PatchGraphParameters& parameters_;
   pcl::Indices samples_;
   std::vector<Eigen::Vector2d> places_; /**< column, row */
   std::vector<Eigen::Vector3f> points_;
-  std::vector<std::uint8_t> bins_; /**< colours; empty until asked for */
   std::vector<LocalMoments> local_; /**< of each point */
   LocalMoments all_;
+  HexconeHistogram all_colors_; /**< empty until asked for */
   int smallest_; /**< points of a part */
 };
 
@@ -472,8 +494,9 @@ disconnectSteps (const OrganizedCloud& cloud, const PlanarPatches& patches, cons
     const auto [step, spread] = missOf (first_plane, second_plane, points.first_connected, points.second_connected);
     const double miss = std::hypot (step, spread);
     const double limit = limitOf (parameters, first_plane, second_plane), helped = 0.5 * parameters.step_color;
+    const auto contrast = [&] { return (colorContrast (colorsOf (cloud, first.pixels), colorsOf (cloud, second.pixels))); };
     if (wereCutApart (first, second) || miss > limit ||
-        (miss > (1.0 - helped) * limit && miss > (1.0 - helped * contrastOf (cloud, first, second)) * limit))
+        (miss > (1.0 - helped) * limit && miss > (1.0 - helped * contrast ()) * limit))
       border.connected = 0;
   }
 }

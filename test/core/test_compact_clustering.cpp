@@ -551,6 +551,33 @@ TEST (CompactClustering, WhatGoesOnBehindAnOccluderHasNoSideSetBack)
   EXPECT_EQ (patchesOf (0.02), (std::vector<int>{1, 2}));
 }
 
+TEST (CompactClustering, NoiseMayTurnTheEndsOfAFaceBehindAnOccluder)
+{
+  // A bar before a face of which the ends, 172 mm apart, are turned by so many degrees to either side: at 4 each lies 12 mm off the
+  // plane of the other, but none off the plane between them.
+  const auto patchesOf = [] (double degrees, double set_back) {
+    Frame frame = shapes::emptyFrame (160, 48);
+    Image<int> labels (160, 48, 0);
+    const double slope = std::tan (degrees * 0.0174533);
+    for (int row = 0; row < 48; ++row)
+      for (int column = 0; column < 160; ++column)
+      {
+        const double x = 0.002 * (column - 79.5), y = 0.002 * (row - 23.5), side = column < 80 ? 1.0 : -1.0;
+        const bool is_bar = column >= 74 && column < 86;
+        labels (column, row) = is_bar ? 3 : column < 80 ? 1 : 2;
+        const double z = 0.8 + side * slope * (x + side * 0.086) + (column < 80 ? 0.0 : set_back);
+        frame.set (frame.index (column, row), {x, y, is_bar ? 0.7 : z}, Vector3d (is_bar ? 0.0 : side * slope, 0, -1).normalized ());
+      }
+    ClusteringParameters parameters;
+    parameters.compactness_threshold = 1.0f;
+    parameters.join_handles = parameters.join_hollows = false;
+    return (sorted (Case (frame, labels).grow (10, 10, parameters).patches));
+  };
+  EXPECT_EQ (patchesOf (4.0, 0.0), (std::vector<int>{1, 2}));
+  EXPECT_EQ (patchesOf (-4.0, 0.0), (std::vector<int>{1, 2}));
+  EXPECT_EQ (patchesOf (4.0, 0.014), (std::vector<int>{1}));
+}
+
 TEST (CompactClustering, OfOtherColorsBehindAnOccluderTwoFacesMustGoOn)
 {
   // A bar before a box of two colours, of whose top and front both go on, or before two boxes whose tops alone are in one plane.

@@ -314,6 +314,21 @@ TEST (CutAtSteps, AtAStepAlthoughACutAlongACreaseLeavesLess)
   EXPECT_LT (cut.wrong ([] (double column, double) { return (column < 5 ? 1 : 2); }), 0.05);
 }
 
+TEST (CutAtSteps, BetweenColorsAlthoughACutAlongACreaseLeavesLess)
+{
+  // 1.2 mm of (2 mm + 1.56 mm rms) * 30 %; a cut along the crease leaves less than a quarter of the residual of one at the step.
+  const Relief surface = [] (double column, double row) { return ((column < 5 ? 1.0 : 1.0012) + 0.00018 * std::abs (row)); };
+  const OnePatch cut = OnePatch (surface).paint (5, red, blue).cut ();
+  ASSERT_EQ (cut.count (), 2u);
+  EXPECT_LT (cut.wrong ([] (double column, double) { return (column < 5 ? 1 : 2); }), 0.05);
+  EXPECT_EQ (OnePatch (surface).paint (5, red, red).cut ().count (), 1u);
+  PatchGraphParameters parameters;
+  parameters.cut_color = 1.1f;
+  EXPECT_EQ (OnePatch (surface).paint (5, red, blue).cut (parameters).count (), 1u) << "off";
+  const Relief crease = [] (double, double row) { return (1.0 + 0.00018 * std::abs (row)); };
+  EXPECT_EQ (OnePatch (crease).paint (5, red, blue).cut ().count (), 1u) << "colours alone are no step";
+}
+
 TEST (CutAtSteps, NoSideHasFewerThan200Pixels)
 {
   // 60 pixels a column.

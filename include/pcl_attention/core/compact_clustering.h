@@ -50,7 +50,7 @@ struct ClusteringParameters
                                         touch at a corner; those of a hollow may as well; 0: off */
   float minimum_convexity{-0.2f};     /**< of the common border, -2 (concave) .. 2; -2: off */
   float color_convexity{0.3f};        /**< how much more convexity differing colours ask for, and like colours spare */
-  float color_compactness{0.4f};      /**< share by which the compactness threshold is smaller where a patch has no colours in
+  float color_compactness{0.6f};      /**< share by which the compactness threshold is smaller where a patch has no colours in
                                         common with the object, 0..1; not where half are */
   bool stay_off_support{true};        /**< patches of a supporting plane are not added */
   bool recognize_hollows{true};       /**< patches that curve inwards together are the inside of one hollow, concave as their
@@ -63,7 +63,7 @@ struct ClusteringParameters
   float handle_width{0.02f};          /**< what is wider is no handle, metres */
   int handle_size{4};                 /**< nor is what is larger than this part (1 / n) of the object */
   float occluded_distance{0.3f};      /**< pieces of an object behind an occluder are no farther apart, metres */
-  float joined_color{0.6f};           /**< nor are their colours if only one face goes on behind it, nor those of a handle and its
+  float joined_color{0.5f};           /**< nor are their colours if only one face goes on behind it, nor those of a handle and its
                                         object, chi-square, 0..1 */
   bool join_hollows{true};            /**< join the inside of a hollow and the wall before it; off with -parts */
   bool join_handles{true};            /**< join a thin piece that hangs on an object and on nothing else; off with -parts */
@@ -196,6 +196,9 @@ private:
 
   bool
   isSupport (int label) const { return (!support_patches_.empty () && support_patches_[label]); }
+
+  bool
+  isStayedOff (int label) const { return (parameters_.stay_off_support && isSupport (label)); }
 
   void
   addPatch (int label, Piece& piece);
@@ -342,7 +345,8 @@ private:
   std::vector<Island> islands_;
   std::vector<int> island_of_;                              /**< of label k at [k], place in islands_ */
   std::vector<std::optional<float>> patch_hollowness_;      /**< of label k at [k], once asked for */
-  std::vector<ColorHistogram> histograms_;                  /**< of label k at [k]; empty without colour */
+  std::vector<HexconeHistogram> colors_;                    /**< of label k at [k]; empty without colour */
+  std::vector<ColorHistogram> histograms_;                  /**< of label k at [k]; empty without the colour constraint */
   ColorHistogram scene_histogram_;                          /**< of all points; empty without the colour constraint */
   std::vector<std::uint8_t> color_bins_;                    /**< of every pixel; empty without colour and without the constraint */
 };
