@@ -164,23 +164,12 @@ public:
   std::optional<Line>
   step ()
   {
-    const std::optional<Line> line = stepOfLeastResidual ();
-    return (line ? line : stepBetweenColors ());
+    const std::optional<Line> line = stepBetweenColors ();
+    return (line ? line : stepOfLeastResidual ());
   }
 
 private:
-  std::optional<Line>
-  stepOfLeastResidual ()
-  {
-    const Cut coarse = clearestCoarse ();
-    if (coarse.clearness == 0.0)
-      return (std::nullopt);
-    Cut fine = refined (coarse, [this] (double angle, Cut& best) { tryDirection (angle, fine_parts, best); });
-    look (fine);
-    return (fine.clearness > 1.0 ? std::optional<Line> (fine.line) : std::nullopt);
-  }
-
-  /** \brief A step that a sensor has smoothed away leaves no more residual than noise, but colours may show where it is. */
+  /** \brief Where a sensor has smoothed a step to a slope no line leaves much less residual than others, but colours show it. */
   std::optional<Line>
   stepBetweenColors ()
   {
@@ -192,9 +181,24 @@ private:
       tryColors (i * apart, coarse_parts / 2, best);
     if (best.residual > 1.0 - parameters_.cut_color)
       return (std::nullopt);
-    Cut fine = refined (best, [this] (double angle, Cut& finer) { tryColors (angle, fine_parts, finer); });
-    look (fine);
-    return (fine.clearness > 1.0 ? std::optional<Line> (fine.line) : std::nullopt);
+    return (stepAt (refined (best, [this] (double angle, Cut& finer) { tryColors (angle, fine_parts, finer); })));
+  }
+
+  std::optional<Line>
+  stepOfLeastResidual ()
+  {
+    const Cut coarse = clearestCoarse ();
+    if (coarse.clearness == 0.0)
+      return (std::nullopt);
+    return (stepAt (refined (coarse, [this] (double angle, Cut& finer) { tryDirection (angle, fine_parts, finer); })));
+  }
+
+  /** \brief The line of a cut, if it shows a step. */
+  std::optional<Line>
+  stepAt (Cut cut)
+  {
+    look (cut);
+    return (cut.clearness > 1.0 ? std::optional<Line> (cut.line) : std::nullopt);
   }
 
   /** \brief Of cuts that are spread over the patch and leave about the least residual the one that shows a step most clearly. */

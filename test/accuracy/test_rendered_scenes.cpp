@@ -130,6 +130,38 @@ TEST (RenderedScenes, aBoxBehindAPostIsOneAndTwoBoxesAreTwo)
   }
 }
 
+/** \brief Mean F of the objects of some scenes as a stereo camera sees them. */
+double
+stereoScore (SceneKind kind, int scenes, const AttentionParameters& parameters = AttentionParameters ())
+{
+  double sum = 0.0;
+  int objects = 0;
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t> (scenes); ++seed)
+  {
+    SceneDescription scene = makeScene (kind, seed);
+    scene.noise.sensor = SceneSensor::stereo;
+    for (const RegionScore& region : test::score (renderScene (scene, seed), parameters, GroundTruthKind::objects).regions)
+    {
+      sum += region.first.f;
+      ++objects;
+    }
+  }
+  return (sum / std::max (1, objects));
+}
+
+TEST (RenderedScenes, aStereoCameraSeesObjectsThatStandAlone)
+{
+  EXPECT_GT (stereoScore (SceneKind::separate, 4), 0.93);
+}
+
+TEST (RenderedScenes, whereAStereoCameraSmoothsStepsAwayColorsShowThem)
+{
+  AttentionParameters whole_patches;
+  whole_patches.patch_graph.cut_color = 2.0f;
+  const double cut = stereoScore (SceneKind::stacked, 4), whole = stereoScore (SceneKind::stacked, 4, whole_patches);
+  EXPECT_GT (cut, whole + 0.02);
+}
+
 TEST (RenderedScenes, whatIsAskedForComesFirst)
 {
   const std::vector<AskedFor> kinds{AskedFor::map, AskedFor::region, AskedFor::exemplar, AskedFor::color, AskedFor::distance};

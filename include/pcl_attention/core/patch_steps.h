@@ -11,7 +11,7 @@ namespace pcl_attention
   * A patch is cut along a straight line in the image that leaves about the least rms on both sides, the one that the planes of both
   * sides miss most clearly, if they miss it by more than step_tolerance plus step_roughness times their rms. The more their colours
   * differ the less will do, see step_color. A step that is smoothed to a slope leaves little rms: the line that parts the colours best
-  * is tried after that, if they differ by cut_color. Its pieces are tried again.
+  * is tried first, if they differ by cut_color. Its pieces are tried again.
   * \param[in] excluded 1 at [label] for patches that stay whole, such as a table; may be empty
   * \param[in,out] patches the larger piece keeps the label, the others come after all; their \ref PlanarPatch::cuts tell them
   *                apart
