@@ -168,7 +168,7 @@ makeTable ()
              "within a patch that limit is larger by this where both sides look alike, smaller where colours differ; "
              "half of that between patches")
     .number ("cut_color", &PatchGraphParameters::cut_color, 0, 2, "", "",
-             "a patch is looked for a step also along the line that parts its colours best, from this chi-square on; above 1: off");
+             "a patch is looked for a step first along the line that parts its colours best, from this chi-square on; above 1: off");
 
   rowsOf (table, "support", &P::support)
     .number ("support_minimum_area", &SupportParameters::minimum_area, 0, 100, "m^2", "", "of a supporting plane")

@@ -330,7 +330,7 @@ private:
   tryDirection (double angle, int parts, Cut& best) const
   {
     tryCuts<LocalMoments> (
-      angle, parts, all_, [this] (std::size_t i, LocalMoments& strip) { strip += local_[i]; },
+      angle, parts, [this] (std::size_t i, LocalMoments& strip) { strip += local_[i]; },
       [this] (const LocalMoments& before, const LocalMoments& behind) {
         return (before.count < smallest_ || behind.count < smallest_ ? none : before.residual () + behind.residual ());
       },
@@ -339,13 +339,10 @@ private:
 
   /** \brief The same for cuts between colours. */
   void
-  tryColors (double angle, int parts, Cut& best)
+  tryColors (double angle, int parts, Cut& best) const
   {
-    if (all_colors_.total == 0.0f)
-      for (std::size_t i = 0; i < samples_.size (); ++i)
-        addColor (i, all_colors_);
     tryCuts<HexconeHistogram> (
-      angle, parts, all_colors_, [this] (std::size_t i, HexconeHistogram& strip) { addColor (i, strip); },
+      angle, parts, [this] (std::size_t i, HexconeHistogram& strip) { addColor (i, strip); },
       [this] (const HexconeHistogram& before, const HexconeHistogram& behind) {
         const auto least = static_cast<float> (smallest_);
         return (before.total < least || behind.total < least ? none : 1.0 - chiSquare (before, behind));
@@ -353,11 +350,10 @@ private:
       best);
   }
 
-  /** \param[in] all sums over all points
-    * \param[in] addTo adds a point to the sums of a strip
+  /** \param[in] addTo adds a point to the sums of a strip
     * \param[in] residualOf of the sums of both parts */
   template <typename Sums, typename Add, typename Judge> void
-  tryCuts (double angle, int parts, const Sums& all, const Add& addTo, const Judge& residualOf, Cut& best) const
+  tryCuts (double angle, int parts, const Add& addTo, const Judge& residualOf, Cut& best) const
   {
     const Eigen::Vector2d direction (std::cos (angle), std::sin (angle));
     double low = std::numeric_limits<double>::infinity (), high = -low;
@@ -373,7 +369,9 @@ private:
     std::array<Sums, fine_parts> strips{};
     for (std::size_t i = 0; i < points_.size (); ++i)
       addTo (i, strips[std::min (parts - 1, static_cast<int> ((direction.dot (places_[i]) - low) / width))]);
-    Sums before, behind = all;
+    Sums before, behind;
+    for (int k = 0; k < parts; ++k)
+      behind += strips[k];
     for (int k = 1; k < parts; ++k)
     {
       before += strips[k - 1];
@@ -393,7 +391,6 @@ private:
   std::vector<Eigen::Vector3f> points_;
   std::vector<LocalMoments> local_; /**< of each point */
   LocalMoments all_;
-  HexconeHistogram all_colors_; /**< empty until asked for */
   int smallest_; /**< points of a part */
 };
 

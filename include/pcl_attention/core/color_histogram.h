@@ -15,7 +15,6 @@ namespace pcl_attention
 template <std::size_t Bins>
 struct Histogram
 {
-  static constexpr std::size_t bins = Bins;
   std::array<float, Bins> counts{};
   float total{0.0f};
 

@@ -51,7 +51,8 @@ struct ClusteringParameters
   float minimum_convexity{-0.2f};     /**< of the common border, -2 (concave) .. 2; -2: off */
   float color_convexity{0.3f};        /**< how much more convexity differing colours ask for, and like colours spare */
   float color_compactness{0.6f};      /**< share by which the compactness threshold is smaller where a patch has no colours in
-                                        common with the object, 0..1; not where half are */
+                                        common with the object, 0..1; not where they are rather alike, see
+                                        \ref colorContrast */
   bool stay_off_support{true};        /**< patches of a supporting plane are not added */
   bool recognize_hollows{true};       /**< patches that curve inwards together are the inside of one hollow, concave as their
                                         borders are */

@@ -24,7 +24,7 @@ struct PatchGraphParameters
   float step_color{0.7f};            /**< within a patch, whose two sides look alike, that limit is larger by this share, and
                                        smaller by it where they have no colours in common; between patches, that may be faces of
                                        one object which are printed differently, smaller by half of it; 0..1 */
-  float cut_color{0.7f};            /**< a patch is looked for a step along the line that parts its colours best too, if their
+  float cut_color{0.7f};             /**< a patch is looked for a step along the line that parts its colours best first, if their
                                        chi-square is this or more: sensors smooth small steps away; above 1: off */
 };
 
