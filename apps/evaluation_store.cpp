@@ -28,7 +28,10 @@ differenceOf (const Json& there, const Json& now)
   const Json patch = Json::diff (there, now);
   if (patch.empty ())
     return ("");
-  const Json::json_pointer path (patch[0].at ("path").get<std::string> ());
+  Json::json_pointer path (patch[0].at ("path").get<std::string> ());
+  // Of lists of different lengths an element may be in one alone.
+  if (!there.contains (path) && there.at (path.parent_pointer ()).is_array ())
+    path.pop_back ();
   const auto valueIn = [&] (const Json& document) {
     return (document.contains (path) ? shortText (document.at (path)) : "absent");
   };

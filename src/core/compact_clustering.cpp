@@ -365,6 +365,23 @@ CompactClustering::colorDistances (int label, Piece& piece) const
   return {chiSquare (piece.histogram, histograms_[label]), chiSquare (piece.surroundings, histograms_[label])};
 }
 
+bool
+CompactClustering::isOneInside (const Piece& piece, int label, const PatchBorder& border)
+{
+  // Half of a mug's inside may be flat, but both together surround their middle. So do a box's front and what it stands on, at a right
+  // angle, where the convexity is the negative root of 2.
+  constexpr float surrounded = 0.25f, between_two_boxes = -1.0f;
+  const float of_patch = patchHollowness (label);
+  if (!parameters_.recognize_hollows || !parameters_.join_hollows || border.convexity () < between_two_boxes ||
+      std::min (piece.hollowness, of_patch) < -parameters_.certain_hollowness ||
+      std::min (piece.pixels, static_cast<int> (patches_.patches[label - 1].pixels.size ())) < parameters_.certain_size)
+    return (false);
+  std::vector<int> together = piece.patches;
+  together.push_back (label);
+  const float of_both = hollownessOf (together);
+  return (of_both > surrounded && of_both > std::max (piece.hollowness, of_patch));
+}
+
 GrowthStep
 CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
                              ObjectHull& united)
@@ -401,7 +418,11 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
     }
     limit += parameters_.color_convexity * contrast;
     if (border.convexity () < limit)
-      return (refuse (GrowthConstraint::convexity, border.convexity (), limit));
+    {
+      hollow = contrast <= 0.0f && isOneInside (piece, label, border);
+      if (!hollow)
+        return (refuse (GrowthConstraint::convexity, border.convexity (), limit));
+    }
   }
   // The pieces of a hollow are told by their shape, wherever they meet.
   const float outline = static_cast<float> (std::min (piece.perimeter, graph_.perimeter[label]));

@@ -226,6 +226,8 @@ makeTable ()
              "pieces of an object behind an occluder are no farther apart")
     .number ("joined_color", &ClusteringParameters::joined_color, 0, 1, "", "",
              "chi-square of the colours of pieces behind an occluder of which one face goes on, and of a handle and its object")
+    .number ("contour_width", &ClusteringParameters::contour_width, 0, 16, "pixels", "",
+             "an object gets the points at its contour that have its colours and not those around it, so far off at most; 0: off")
     .toggle ("join_hollows", &ClusteringParameters::join_hollows, "",
              "join the inside of a hollow and the wall before it; off with -parts")
     .toggle ("join_handles", &ClusteringParameters::join_handles, "",

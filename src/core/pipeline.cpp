@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "point_at.h"
 
+#include <pcl_attention/core/object_contour.h>
 #include <pcl_attention/core/parameters.h>
 #include <pcl_attention/core/patch_steps.h>
 #include <pcl_attention/core/pipeline.h>
@@ -126,6 +127,7 @@ AttentionParameters::paper ()
   parameters.clustering.color_convexity = 0.0f;
   parameters.clustering.color_compactness = 0.0f;
   parameters.clustering.recognize_hollows = false;
+  parameters.clustering.contour_width = 0;
   parameters.clustering.visiblePieces ();
   parameters.segmentation.prefer_supported = false;
   parameters.segmentation.ignore_below = false;
@@ -740,6 +742,8 @@ AttentionPipeline::describe (AttentionSegment& segment)
   segment.box.center = sensor_pose_ * segment.box.center;
   segment.box.orientation = Eigen::Quaternionf (sensor_pose_.linear ()) * segment.box.orientation;
   segment.plane = transformPlane (sensor_pose_, segment.plane);
+  // Last: the box is that of what the depth shows to be the object.
+  extendToColors (cloud_, parameters_.clustering.contour_width, segment.indices);
 }
 
 } // namespace pcl_attention

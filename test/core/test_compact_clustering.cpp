@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace pcl_attention;
 using Eigen::Vector3d;
@@ -454,6 +455,34 @@ TEST (CompactClustering, PiecesOfAHollowMayTouchWhereverTheyDo)
   EXPECT_EQ (bowl.grow (15, 24, parameters).patches, (std::vector<int>{1, 2}));
   parameters.recognize_hollows = false;
   EXPECT_EQ (bowl.grow (15, 24, parameters).patches, (std::vector<int>{1}));
+}
+
+TEST (CompactClustering, FlatHalvesOfAnInsideAreOneUnlessTheyMeetSquarely)
+{
+  // Both sides are flat, so that neither surrounds anything. Together they do: of a point the part of the way to the middle that is along
+  // the normal is 16 mm sin (slope), the way itself some 20 mm.
+  const auto patchesOf = [] (double degrees, const std::vector<Color>& colors, const std::function<void (ClusteringParameters&)>& change) {
+    const double slope = std::tan (degrees * 3.14159265358979 / 180.0);
+    Case sides = twoSides ([slope] (double x) { return (0.8 - slope * std::abs (x)); }, slope, -slope);
+    sides.paint (colors);
+    ClusteringParameters parameters = plain ();
+    parameters.minimum_convexity = -0.2f;
+    parameters.color_convexity = 0.3f;
+    parameters.compactness_threshold = 0.1f;
+    parameters.recognize_hollows = parameters.join_hollows = true;
+    change (parameters);
+    return (sides.grow (15, 24, parameters).patches);
+  };
+  const auto nothing = [] (ClusteringParameters&) {};
+  const std::vector<int> one{1, 2}, apart{1};
+  const std::vector<Color> alike{grey, red, red}, different{grey, red, blue};
+  EXPECT_EQ (patchesOf (25, alike, nothing), one);
+  EXPECT_EQ (patchesOf (45, alike, nothing), apart) << "a box before a wall";
+  EXPECT_EQ (patchesOf (25, different, nothing), apart);
+  EXPECT_EQ (patchesOf (25, alike, [] (ClusteringParameters& p) { p.join_hollows = false; }), apart) << "visible pieces";
+  EXPECT_EQ (patchesOf (25, alike, [] (ClusteringParameters& p) { p.recognize_hollows = false; }), apart);
+  EXPECT_EQ (patchesOf (25, alike, [] (ClusteringParameters& p) { p.certain_size = 2000; }), apart) << "1536 pixels each";
+  EXPECT_EQ (patchesOf (12, alike, [] (ClusteringParameters& p) { p.minimum_convexity = 0.0f; }), apart) << "a dent";
 }
 
 TEST (CompactClustering, NoiseWidensTheCompactnessLimit)

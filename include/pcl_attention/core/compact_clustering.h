@@ -66,6 +66,8 @@ struct ClusteringParameters
   float occluded_distance{0.3f};      /**< pieces of an object behind an occluder are no farther apart, metres */
   float joined_color{0.5f};           /**< nor are their colours if only one face goes on behind it, nor those of a handle and its
                                         object, chi-square, 0..1 */
+  int contour_width{3};               /**< an object gets the points at its contour that have its colours and not those around it, at
+                                        most so far off, pixels; 0: off. The planes' ends are known to some pixels only */
   bool join_hollows{true};            /**< join the inside of a hollow and the wall before it; off with -parts */
   bool join_handles{true};            /**< join a thin piece that hangs on an object and on nothing else; off with -parts */
   bool join_occluded{true};           /**< join pieces of one object that an occluder separates; off with -parts */
@@ -211,6 +213,10 @@ private:
     * \param[in] of_partition stop at what belongs to another piece of the partition */
   void
   growOverBorders (Piece& piece, bool of_partition);
+
+  /** \brief Whether a piece and a patch, neither of them an outside, are parts of the inside of one hollow. */
+  bool
+  isOneInside (const Piece& piece, int label, const PatchBorder& border);
 
   /** \brief Ask all constraints about a patch.
     * \param[in] border from the piece to the patch

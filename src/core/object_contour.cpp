@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_attention/core/image.h>
+#include <pcl_attention/core/object_contour.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace pcl_attention
+{
+
+namespace
+{
+
+/** \brief What decides is so much wider around a point than the contour may move. */
+constexpr int reach_of_width = 4;
+
+/** \brief How alike two colours are, 0..1: a Gaussian of their distance in RGB, a table of its square. */
+class Likeness
+{
+public:
+  Likeness ()
+  {
+    constexpr double deviation = 20.0; // of 255: shading and noise of one surface
+    for (std::size_t i = 0; i < table_.size (); ++i)
+      table_[i] = static_cast<float> (std::exp (-static_cast<double> (i * cell) / (2.0 * deviation * deviation)));
+  }
+
+  float
+  operator() (const OrganizedCloud& cloud, pcl::index_t a, pcl::index_t b) const
+  {
+    const int red = cloud.red[a] - cloud.red[b], green = cloud.green[a] - cloud.green[b], blue = cloud.blue[a] - cloud.blue[b];
+    const auto place = static_cast<std::size_t> (red * red + green * green + blue * blue) / cell;
+    return (place < table_.size () ? table_[place] : 0.0f);
+  }
+
+private:
+  static constexpr std::size_t cell = 16;
+  std::array<float, 512> table_;
+};
+
+using Mask = Image<std::uint8_t>;
+
+/** \brief The pixels at most so many columns and rows from one of a mask. */
+Mask
+dilated (const Mask& mask, int width)
+{
+  Mask along_rows (mask.width, mask.height, 0), result (mask.width, mask.height, 0);
+  for (int row = 0; row < mask.height; ++row)
+    for (int column = 0; column < mask.width; ++column)
+      if (mask (column, row))
+        for (int c = std::max (0, column - width); c <= std::min (mask.width - 1, column + width); ++c)
+          along_rows (c, row) = 1;
+  for (int row = 0; row < mask.height; ++row)
+    for (int r = std::max (0, row - width); r <= std::min (mask.height - 1, row + width); ++r)
+      for (int column = 0; column < mask.width; ++column)
+        result (column, r) |= along_rows (column, row);
+  return (result);
+}
+
+/** \brief The image around an object: what is of it and what is not, and what lies clearly within either. */
+class Surroundings
+{
+public:
+  Surroundings (const OrganizedCloud& cloud, int width, const pcl::Indices& indices)
+  : cloud_ (cloud), width_ (width), reach_ (reach_of_width * width)
+  {
+    int left = cloud.width, right = -1;
+    for (const pcl::index_t index : indices)
+    {
+      left = std::min (left, index % cloud.width);
+      right = std::max (right, index % cloud.width);
+    }
+    const int margin = width + reach_;
+    first_column_ = std::max (0, left - margin);
+    first_row_ = std::max (0, indices.front () / cloud.width - margin);
+    const int columns = std::min (cloud.width, right + margin + 1) - first_column_;
+    const int rows = std::min (cloud.height, indices.back () / cloud.width + margin + 1) - first_row_;
+    object_ = Mask (columns, rows, 0);
+    for (const pcl::index_t index : indices)
+      object_ (index % cloud.width - first_column_, index / cloud.width - first_row_) = 1;
+    Mask rest (columns, rows, 0);
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column)
+        rest (column, row) = cloud.valid[indexOf (column, row)] && !object_ (column, row);
+    const Mask near_object = dilated (object_, width), near_rest = dilated (rest, width);
+    side_ = Mask (columns, rows, unsure);
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column)
+        if (object_ (column, row) && !near_rest (column, row))
+          side_ (column, row) = of_object;
+        else if (rest (column, row) && !near_object (column, row))
+          side_ (column, row) = of_rest;
+  }
+
+  void
+  extend (pcl::Indices& indices)
+  {
+    const std::size_t before = indices.size ();
+    std::vector<Pixel> front;
+    for (const pcl::index_t index : indices)
+      front.push_back ({index % cloud_.width - first_column_, index / cloud_.width - first_row_});
+    Mask asked = object_;
+    for (int ring = 0; ring < width_; ++ring)
+    {
+      std::vector<Pixel> added;
+      for (const Pixel& pixel : front)
+        for (int row = std::max (0, pixel.row - 1); row <= std::min (object_.height - 1, pixel.row + 1); ++row)
+          for (int column = std::max (0, pixel.column - 1); column <= std::min (object_.width - 1, pixel.column + 1); ++column)
+          {
+            if (asked (column, row) || !goesOn (indexOf (pixel.column, pixel.row), indexOf (column, row)))
+              continue;
+            asked (column, row) = 1;
+            if (!looksLikeObject (column, row))
+              continue;
+            added.push_back ({column, row});
+            indices.push_back (indexOf (column, row));
+          }
+      front = std::move (added);
+    }
+    std::sort (indices.begin () + static_cast<std::ptrdiff_t> (before), indices.end ());
+    std::inplace_merge (indices.begin (), indices.begin () + static_cast<std::ptrdiff_t> (before), indices.end ());
+  }
+
+private:
+  enum Side : std::uint8_t
+  {
+    unsure,
+    of_object,
+    of_rest
+  };
+
+  struct Pixel
+  {
+    int column, row;
+  };
+
+  pcl::index_t
+  indexOf (int column, int row) const
+  {
+    return ((first_row_ + row) * cloud_.width + first_column_ + column);
+  }
+
+  bool
+  goesOn (pcl::index_t from, pcl::index_t to) const
+  {
+    constexpr float largest_step = 0.02f; // metres
+    return (cloud_.valid[to] && std::abs (cloud_.z[to] - cloud_.z[from]) <= largest_step);
+  }
+
+  /** \brief Whether the colours of the object nearby are more likely to have this point's than those of the rest. */
+  bool
+  looksLikeObject (int column, int row) const
+  {
+    static const Likeness likeness;
+    constexpr int step = 3, enough = 8;
+    constexpr float clearly = 2.0f, least = 1e-3f;
+    const pcl::index_t index = indexOf (column, row);
+    std::array<float, 3> sums{};
+    std::array<int, 3> counts{};
+    for (int r = -reach_; r <= reach_; r += step)
+      for (int c = -reach_; c <= reach_; c += step)
+        if (side_.contains (column + c, row + r))
+          if (const std::uint8_t side = side_ (column + c, row + r); side != unsure)
+          {
+            sums[side] += likeness (cloud_, index, indexOf (column + c, row + r));
+            ++counts[side];
+          }
+    if (counts[of_object] < enough || counts[of_rest] < enough)
+      return (false);
+    return (sums[of_object] / static_cast<float> (counts[of_object]) >
+            clearly * sums[of_rest] / static_cast<float> (counts[of_rest]) + least);
+  }
+
+  const OrganizedCloud& cloud_;
+  int width_, reach_;
+  int first_column_, first_row_;
+  Mask object_;
+  Mask side_; /**< \ref Side */
+};
+
+} // namespace
+
+void
+extendToColors (const OrganizedCloud& cloud, int width, pcl::Indices& indices)
+{
+  if (cloud.hasColor () && width > 0 && !indices.empty ())
+    Surroundings (cloud, width, indices).extend (indices);
+}
+
+} // namespace pcl_attention
