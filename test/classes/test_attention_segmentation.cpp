@@ -139,6 +139,7 @@ TEST_F (Segmentation, GivesNoSegmentsOfLessCertainAreaThanAskedFor)
     return (area * object.confidence);
   };
   pcl_attention::AttentionParameters parameters = pointByPoint ();
+  parameters.clustering.contour_width = 0; // the area is judged before
   const auto segmentsOfAtLeast = [&] (float area) {
     parameters.segmentation.minimum_certain_area = area;
     segmentation.setParameters (parameters);
@@ -461,6 +462,7 @@ TEST_F (Segmentation, UsesThePatchesItIsGiven)
       labels->at (column, row).label = 0x80000001u;
   pcl_attention::AttentionParameters parameters = pointByPoint ();
   parameters.clustering.stay_off_support = false;
+  parameters.clustering.contour_width = 0;
   segmentation.setParameters (parameters);
   segmentation.setPatches (labels);
   segmentation.setAttentionPoints ({point});

@@ -182,6 +182,7 @@ TEST_F (Clustering, SegmentsJustThePatchItIsGiven)
     }
   pcl_attention::ClusteringParameters parameters;
   parameters.stay_off_support = false;
+  parameters.contour_width = 0;
   clustering.setParameters (parameters);
   EXPECT_FALSE (clustering.getParameters ().stay_off_support);
   clustering.setPatches (labels);
