@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/image.h>
 #include <pcl_attention/core/object_contour.h>
 
@@ -28,9 +29,8 @@ public:
   }
 
   float
-  operator() (const OrganizedCloud& cloud, pcl::index_t a, pcl::index_t b) const
+  operator() (int red, int green, int blue) const
   {
-    const int red = cloud.red[a] - cloud.red[b], green = cloud.green[a] - cloud.green[b], blue = cloud.blue[a] - cloud.blue[b];
     const auto place = static_cast<std::size_t> (red * red + green * green + blue * blue) / cell;
     return (place < table_.size () ? table_[place] : 0.0f);
   }
@@ -42,20 +42,30 @@ private:
 
 using Mask = Image<std::uint8_t>;
 
+void
+uniteWith (const std::uint8_t* from, int count, std::uint8_t* to)
+{
+  for (int i = 0; i < count; ++i)
+    to[i] |= from[i];
+}
+
 /** \brief The pixels at most so many columns and rows from one of a mask. */
 Mask
 dilated (const Mask& mask, int width)
 {
-  Mask along_rows (mask.width, mask.height, 0), result (mask.width, mask.height, 0);
+  Mask along_rows = mask, result;
   for (int row = 0; row < mask.height; ++row)
-    for (int column = 0; column < mask.width; ++column)
-      if (mask (column, row))
-        for (int c = std::max (0, column - width); c <= std::min (mask.width - 1, column + width); ++c)
-          along_rows (c, row) = 1;
+    for (int shift = 1; shift <= std::min (width, mask.width - 1); ++shift)
+    {
+      const std::uint8_t* const from = &mask (0, row);
+      std::uint8_t* const to = &along_rows (0, row);
+      uniteWith (from, mask.width - shift, to + shift);
+      uniteWith (from + shift, mask.width - shift, to);
+    }
+  result = along_rows;
   for (int row = 0; row < mask.height; ++row)
     for (int r = std::max (0, row - width); r <= std::min (mask.height - 1, row + width); ++r)
-      for (int column = 0; column < mask.width; ++column)
-        result (column, r) |= along_rows (column, row);
+      uniteWith (&along_rows (0, row), mask.width, &result (0, r));
   return (result);
 }
 
@@ -95,29 +105,37 @@ public:
   }
 
   void
-  extend (pcl::Indices& indices)
+  extend (int threads, pcl::Indices& indices) const
   {
     const std::size_t before = indices.size ();
     std::vector<Pixel> front;
     for (const pcl::index_t index : indices)
       front.push_back ({index % cloud_.width - first_column_, index / cloud_.width - first_row_});
-    Mask asked = object_;
+    Mask seen = object_;
     for (int ring = 0; ring < width_; ++ring)
     {
-      std::vector<Pixel> added;
+      std::vector<Pixel> around;
       for (const Pixel& pixel : front)
         for (int row = std::max (0, pixel.row - 1); row <= std::min (object_.height - 1, pixel.row + 1); ++row)
           for (int column = std::max (0, pixel.column - 1); column <= std::min (object_.width - 1, pixel.column + 1); ++column)
-          {
-            if (asked (column, row) || !goesOn (indexOf (pixel.column, pixel.row), indexOf (column, row)))
-              continue;
-            asked (column, row) = 1;
-            if (!looksLikeObject (column, row))
-              continue;
-            added.push_back ({column, row});
-            indices.push_back (indexOf (column, row));
-          }
-      front = std::move (added);
+            if (!seen (column, row) && goesOn (indexOf (pixel.column, pixel.row), indexOf (column, row)))
+            {
+              seen (column, row) = 1;
+              around.push_back ({column, row});
+            }
+      std::vector<std::uint8_t> is_alike (around.size ());
+      constexpr int together = 128;
+      forEachBand (static_cast<int> (around.size ()), together, threads, [&] (int begin, int end) {
+        for (int i = begin; i < end; ++i)
+          is_alike[i] = looksLikeObject (around[i].column, around[i].row);
+      });
+      front.clear ();
+      for (std::size_t i = 0; i < around.size (); ++i)
+        if (is_alike[i])
+        {
+          front.push_back (around[i]);
+          indices.push_back (indexOf (around[i].column, around[i].row));
+        }
     }
     std::sort (indices.begin () + static_cast<std::ptrdiff_t> (before), indices.end ());
     std::inplace_merge (indices.begin (), indices.begin () + static_cast<std::ptrdiff_t> (before), indices.end ());
@@ -157,16 +175,28 @@ private:
     constexpr int step = 3, enough = 8;
     constexpr float clearly = 2.0f, least = 1e-3f;
     const pcl::index_t index = indexOf (column, row);
+    const int red = cloud_.red[index], green = cloud_.green[index], blue = cloud_.blue[index];
+    // The samples lie on the same grid around the point wherever the image ends.
+    const auto firstInImage = [this] (int place) {
+      const int first = place - reach_;
+      return (first >= 0 ? first : (step + first % step) % step);
+    };
+    const int last_row = std::min (side_.height - 1, row + reach_), last_column = std::min (side_.width - 1, column + reach_);
     std::array<float, 3> sums{};
     std::array<int, 3> counts{};
-    for (int r = -reach_; r <= reach_; r += step)
-      for (int c = -reach_; c <= reach_; c += step)
-        if (side_.contains (column + c, row + r))
-          if (const std::uint8_t side = side_ (column + c, row + r); side != unsure)
-          {
-            sums[side] += likeness (cloud_, index, indexOf (column + c, row + r));
-            ++counts[side];
-          }
+    for (int r = firstInImage (row); r <= last_row; r += step)
+    {
+      const std::uint8_t* const sides = &side_ (0, r);
+      const pcl::index_t first = indexOf (0, r);
+      for (int c = firstInImage (column); c <= last_column; c += step)
+      {
+        if (sides[c] == unsure)
+          continue;
+        const pcl::index_t other = first + c;
+        sums[sides[c]] += likeness (cloud_.red[other] - red, cloud_.green[other] - green, cloud_.blue[other] - blue);
+        ++counts[sides[c]];
+      }
+    }
     if (counts[of_object] < enough || counts[of_rest] < enough)
       return (false);
     return (sums[of_object] / static_cast<float> (counts[of_object]) >
@@ -183,10 +213,10 @@ private:
 } // namespace
 
 void
-extendToColors (const OrganizedCloud& cloud, int width, pcl::Indices& indices)
+extendToColors (const OrganizedCloud& cloud, int width, int threads, pcl::Indices& indices)
 {
   if (cloud.hasColor () && width > 0 && !indices.empty ())
-    Surroundings (cloud, width, indices).extend (indices);
+    Surroundings (cloud, width, indices).extend (threads, indices);
 }
 
 } // namespace pcl_attention

@@ -743,7 +743,7 @@ AttentionPipeline::describe (AttentionSegment& segment)
   segment.box.orientation = Eigen::Quaternionf (sensor_pose_.linear ()) * segment.box.orientation;
   segment.plane = transformPlane (sensor_pose_, segment.plane);
   // Last: the box is that of what the depth shows to be the object.
-  extendToColors (cloud_, parameters_.clustering.contour_width, segment.indices);
+  extendToColors (cloud_, parameters_.clustering.contour_width, threads_, segment.indices);
 }
 
 } // namespace pcl_attention

@@ -54,8 +54,10 @@ scene (const std::array<int, 3>& of_square)
 pcl::Indices
 extended (const Frame& frame, const pcl::Indices& indices, int width = 3)
 {
-  pcl::Indices result = indices;
-  extendToColors (frame.cloud, width, result);
+  pcl::Indices result = indices, of_two_threads = indices;
+  extendToColors (frame.cloud, width, 1, result);
+  extendToColors (frame.cloud, width, 2, of_two_threads);
+  EXPECT_EQ (of_two_threads, result);
   return (result);
 }
 

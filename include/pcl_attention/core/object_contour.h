@@ -13,8 +13,9 @@ namespace pcl_attention
   * to the pixel where an object ends, but where one stands on or touches something the planes of both tell it to some pixels only.
   * Points are only added, and never across a jump. Does nothing without colours.
   * \param[in] width how far its contour may move, pixels
+  * \param[in] threads that decide; the result does not depend on them
   * \param[in,out] indices of the object's points in the cloud, ascending */
 PCL_ATTENTION_EXPORTS void
-extendToColors (const OrganizedCloud& cloud, int width, pcl::Indices& indices);
+extendToColors (const OrganizedCloud& cloud, int width, int threads, pcl::Indices& indices);
 
 } // namespace pcl_attention
