@@ -2,6 +2,7 @@
 #include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/image.h>
 #include <pcl_attention/core/object_contour.h>
+#include <pcl_attention/core/skeleton.h>
 
 #include <algorithm>
 #include <array>
@@ -53,7 +54,7 @@ uniteWith (const std::uint8_t* from, int count, std::uint8_t* to)
 Mask
 dilated (const Mask& mask, int width)
 {
-  Mask along_rows = mask, result;
+  Mask along_rows = mask;
   for (int row = 0; row < mask.height; ++row)
     for (int shift = 1; shift <= std::min (width, mask.width - 1); ++shift)
     {
@@ -62,7 +63,7 @@ dilated (const Mask& mask, int width)
       uniteWith (from, mask.width - shift, to + shift);
       uniteWith (from + shift, mask.width - shift, to);
     }
-  result = along_rows;
+  Mask result = along_rows;
   for (int row = 0; row < mask.height; ++row)
     for (int r = std::max (0, row - width); r <= std::min (mask.height - 1, row + width); ++r)
       uniteWith (&along_rows (0, row), mask.width, &result (0, r));
@@ -110,7 +111,11 @@ public:
     const std::size_t before = indices.size ();
     std::vector<Pixel> front;
     for (const pcl::index_t index : indices)
-      front.push_back ({index % cloud_.width - first_column_, index / cloud_.width - first_row_});
+    {
+      const Pixel pixel{index % cloud_.width - first_column_, index / cloud_.width - first_row_};
+      if (side_ (pixel.column, pixel.row) == unsure)
+        front.push_back (pixel);
+    }
     Mask seen = object_;
     for (int ring = 0; ring < width_; ++ring)
     {
@@ -147,11 +152,6 @@ private:
     unsure,
     of_object,
     of_rest
-  };
-
-  struct Pixel
-  {
-    int column, row;
   };
 
   pcl::index_t
