@@ -27,8 +27,8 @@ distance (const Histogram<Bins>& a, const Histogram<Bins>& b)
 
 } // namespace
 
-void
-HexconeHistogram::add (std::uint8_t red, std::uint8_t green, std::uint8_t blue, float weight)
+HexconeHistogram::Shares
+HexconeHistogram::sharesOf (std::uint8_t red, std::uint8_t green, std::uint8_t blue)
 {
   constexpr float half_root_of_3 = 0.8660254f;
   const float r = red, g = green, b = blue, largest = std::max ({r, g, b, 1.0f});
@@ -41,16 +41,23 @@ HexconeHistogram::add (std::uint8_t red, std::uint8_t green, std::uint8_t blue, 
   const auto [i, i_share] = split (0.5f + 0.5f * across, side);
   const auto [j, j_share] = split (0.5f + 0.5f * along, side);
   const auto [k, k_share] = split (largest / 255.0f, values);
-  float* const cell = &counts[static_cast<std::size_t> ((i * side + j) * values + k)];
-  constexpr int next_i = side * values, next_j = values, next_k = 1;
-  const float near = weight * (1.0f - i_share), far = weight * i_share;
-  const std::array<float, 4> columns{near * (1.0f - j_share), near * j_share, far * (1.0f - j_share), far * j_share};
-  const std::array<int, 4> offsets{0, next_j, next_i, next_i + next_j};
-  for (std::size_t column = 0; column < columns.size (); ++column)
-  {
-    cell[offsets[column]] += columns[column] * (1.0f - k_share);
-    cell[offsets[column] + next_k] += columns[column] * k_share;
-  }
+  Shares color;
+  std::size_t place = 0;
+  for (const auto& [i_cell, of_i] : {std::pair<int, float> (i, 1.0f - i_share), {i + 1, i_share}})
+    for (const auto& [j_cell, of_j] : {std::pair<int, float> (j, 1.0f - j_share), {j + 1, j_share}})
+      for (const auto& [k_cell, of_k] : {std::pair<int, float> (k, 1.0f - k_share), {k + 1, k_share}})
+      {
+        color.cells[place] = (i_cell * side + j_cell) * values + k_cell;
+        color.shares[place++] = of_i * of_j * of_k;
+      }
+  return (color);
+}
+
+void
+HexconeHistogram::add (const Shares& color, float weight)
+{
+  for (std::size_t place = 0; place < color.cells.size (); ++place)
+    counts[static_cast<std::size_t> (color.cells[place])] += weight * color.shares[place];
   total += weight;
 }
 

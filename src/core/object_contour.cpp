@@ -50,24 +50,37 @@ uniteWith (const std::uint8_t* from, int count, std::uint8_t* to)
     to[i] |= from[i];
 }
 
-/** \brief The pixels at most so many columns and rows from one of a mask. */
+/** \brief Unite every pixel of a mask with those so many columns, or rows, before and behind it. */
 Mask
-dilated (const Mask& mask, int width)
+spread (const Mask& mask, int columns, int rows)
 {
-  Mask along_rows = mask;
+  Mask result = mask;
   for (int row = 0; row < mask.height; ++row)
-    for (int shift = 1; shift <= std::min (width, mask.width - 1); ++shift)
+  {
+    std::uint8_t* const to = &result (0, row);
+    if (columns > 0 && columns < mask.width)
     {
-      const std::uint8_t* const from = &mask (0, row);
-      std::uint8_t* const to = &along_rows (0, row);
-      uniteWith (from, mask.width - shift, to + shift);
-      uniteWith (from + shift, mask.width - shift, to);
+      uniteWith (&mask (0, row), mask.width - columns, to + columns);
+      uniteWith (&mask (columns, row), mask.width - columns, to);
     }
-  Mask result = along_rows;
-  for (int row = 0; row < mask.height; ++row)
-    for (int r = std::max (0, row - width); r <= std::min (mask.height - 1, row + width); ++r)
-      uniteWith (&along_rows (0, row), mask.width, &result (0, r));
+    for (const int other : {row - rows, row + rows})
+      if (rows > 0 && other >= 0 && other < mask.height)
+        uniteWith (&mask (0, other), mask.width, to);
+  }
   return (result);
+}
+
+/** \brief All bits of a mask at most so many columns and rows off. */
+Mask
+dilated (Mask mask, int width)
+{
+  // What has spread so far leaves no gap when it is moved by one more, not even where the mask ends and it has spread to one side.
+  for (int reach = 0, step; reach < width; reach += step)
+  {
+    step = std::min (reach + 1, width - reach);
+    mask = spread (spread (mask, step, 0), 0, step);
+  }
+  return (mask);
 }
 
 /** \brief The image around an object: what is of it and what is not, and what lies clearly within either. */
@@ -88,21 +101,16 @@ public:
     first_row_ = std::max (0, indices.front () / cloud.width - margin);
     const int columns = std::min (cloud.width, right + margin + 1) - first_column_;
     const int rows = std::min (cloud.height, indices.back () / cloud.width + margin + 1) - first_row_;
-    object_ = Mask (columns, rows, 0);
+    all_ = Mask (columns, rows, unsure);
+    for (int row = 0; row < rows; ++row)
+      std::transform (&cloud.valid[indexOf (0, row)], &cloud.valid[indexOf (0, row)] + columns, &all_ (0, row),
+                      [] (std::uint8_t valid) { return (static_cast<std::uint8_t> (valid ? of_rest : unsure)); });
     for (const pcl::index_t index : indices)
-      object_ (index % cloud.width - first_column_, index / cloud.width - first_row_) = 1;
-    Mask rest (columns, rows, 0);
-    for (int row = 0; row < rows; ++row)
-      for (int column = 0; column < columns; ++column)
-        rest (column, row) = cloud.valid[indexOf (column, row)] && !object_ (column, row);
-    const Mask near_object = dilated (object_, width), near_rest = dilated (rest, width);
-    side_ = Mask (columns, rows, unsure);
-    for (int row = 0; row < rows; ++row)
-      for (int column = 0; column < columns; ++column)
-        if (object_ (column, row) && !near_rest (column, row))
-          side_ (column, row) = of_object;
-        else if (rest (column, row) && !near_object (column, row))
-          side_ (column, row) = of_rest;
+      all_ (index % cloud.width - first_column_, index / cloud.width - first_row_) = of_object;
+    // Sure is what has nothing of the other side near it.
+    sure_ = dilated (all_, width);
+    std::transform (all_.data.begin (), all_.data.end (), sure_.data.begin (), sure_.data.begin (),
+                    [] (std::uint8_t side, std::uint8_t near) { return (near == side ? side : static_cast<std::uint8_t> (unsure)); });
   }
 
   void
@@ -113,19 +121,19 @@ public:
     for (const pcl::index_t index : indices)
     {
       const Pixel pixel{index % cloud_.width - first_column_, index / cloud_.width - first_row_};
-      if (side_ (pixel.column, pixel.row) == unsure)
+      if (sure_ (pixel.column, pixel.row) == unsure)
         front.push_back (pixel);
     }
-    Mask seen = object_;
+    Mask seen = all_;
     for (int ring = 0; ring < width_; ++ring)
     {
       std::vector<Pixel> around;
       for (const Pixel& pixel : front)
-        for (int row = std::max (0, pixel.row - 1); row <= std::min (object_.height - 1, pixel.row + 1); ++row)
-          for (int column = std::max (0, pixel.column - 1); column <= std::min (object_.width - 1, pixel.column + 1); ++column)
-            if (!seen (column, row) && goesOn (indexOf (pixel.column, pixel.row), indexOf (column, row)))
+        for (int row = std::max (0, pixel.row - 1); row <= std::min (seen.height - 1, pixel.row + 1); ++row)
+          for (int column = std::max (0, pixel.column - 1); column <= std::min (seen.width - 1, pixel.column + 1); ++column)
+            if (seen (column, row) != of_object && goesOn (indexOf (pixel.column, pixel.row), indexOf (column, row)))
             {
-              seen (column, row) = 1;
+              seen (column, row) = of_object;
               around.push_back ({column, row});
             }
       std::vector<std::uint8_t> is_alike (around.size ());
@@ -147,11 +155,12 @@ public:
   }
 
 private:
+  /** \brief As bits, of which a pixel near both has two. */
   enum Side : std::uint8_t
   {
-    unsure,
-    of_object,
-    of_rest
+    unsure = 0,
+    of_object = 1,
+    of_rest = 2
   };
 
   pcl::index_t
@@ -181,12 +190,12 @@ private:
       const int first = place - reach_;
       return (first >= 0 ? first : (step + first % step) % step);
     };
-    const int last_row = std::min (side_.height - 1, row + reach_), last_column = std::min (side_.width - 1, column + reach_);
+    const int last_row = std::min (sure_.height - 1, row + reach_), last_column = std::min (sure_.width - 1, column + reach_);
     std::array<float, 3> sums{};
     std::array<int, 3> counts{};
     for (int r = firstInImage (row); r <= last_row; r += step)
     {
-      const std::uint8_t* const sides = &side_ (0, r);
+      const std::uint8_t* const sides = &sure_ (0, r);
       const pcl::index_t first = indexOf (0, r);
       for (int c = firstInImage (column); c <= last_column; c += step)
       {
@@ -206,8 +215,8 @@ private:
   const OrganizedCloud& cloud_;
   int width_, reach_;
   int first_column_, first_row_;
-  Mask object_;
-  Mask side_; /**< \ref Side */
+  Mask all_;  /**< \ref Side of every pixel; unsure where there is no point */
+  Mask sure_; /**< the same, as far as it is sure */
 };
 
 } // namespace

@@ -140,15 +140,18 @@ class CutSearch
 {
 public:
   CutSearch (const OrganizedCloud& cloud, const pcl::Indices& pixels, const PatchGraphParameters& parameters)
-  : cloud_ (cloud), parameters_ (parameters), samples_ (evenSamples (pixels))
+  : parameters_ (parameters)
   {
-    smallest_ = static_cast<int> ((smallest_side * samples_.size () + pixels.size () - 1) / pixels.size ());
+    const pcl::Indices samples = evenSamples (pixels);
+    smallest_ = static_cast<int> ((smallest_side * samples.size () + pixels.size () - 1) / pixels.size ());
     PointMoments sums;
-    for (const pcl::index_t index : samples_)
+    for (const pcl::index_t index : samples)
     {
       places_.emplace_back (index % cloud.width, index / cloud.width);
       points_.push_back (pointAt (cloud, index));
       sums.add (points_.back ());
+      if (cloud.hasColor ())
+        colors_.push_back (HexconeHistogram::sharesOf (cloud.red[index], cloud.green[index], cloud.blue[index]));
     }
     const Plane plane = planeOf (sums);
     const Eigen::Vector3f u = plane.normal.unitOrthogonal (), v = plane.normal.cross (u);
@@ -173,7 +176,7 @@ private:
   std::optional<Line>
   stepBetweenColors ()
   {
-    if (!cloud_.hasColor () || parameters_.cut_color > 1.0f)
+    if (colors_.empty () || parameters_.cut_color > 1.0f)
       return (std::nullopt);
     Cut best;
     // Colours part by whole faces: half the directions and places are enough to find about where.
@@ -282,16 +285,9 @@ private:
   contrastAcross (const Line& line) const
   {
     std::array<HexconeHistogram, 2> sides;
-    for (std::size_t i = 0; i < samples_.size () && cloud_.hasColor (); ++i)
-      addColor (i, sides[beyondOf (line, i) < 0.0]);
+    for (std::size_t i = 0; i < colors_.size (); ++i)
+      sides[beyondOf (line, i) < 0.0].add (colors_[i]);
     return (colorContrast (sides[0], sides[1]));
-  }
-
-  void
-  addColor (std::size_t i, HexconeHistogram& colors) const
-  {
-    const pcl::index_t index = samples_[i];
-    colors.add (cloud_.red[index], cloud_.green[index], cloud_.blue[index]);
   }
 
   /** \brief How much the distance between two planes changes along a line, standard deviation. Across the line it changes at
@@ -342,7 +338,7 @@ private:
   tryColors (double angle, int parts, Cut& best) const
   {
     tryCuts<HexconeHistogram> (
-      angle, parts, [this] (std::size_t i, HexconeHistogram& strip) { addColor (i, strip); },
+      angle, parts, [this] (std::size_t i, HexconeHistogram& strip) { strip.add (colors_[i]); },
       [this] (const HexconeHistogram& before, const HexconeHistogram& behind) {
         const auto least = static_cast<float> (smallest_);
         return (before.total < least || behind.total < least ? none : 1.0 - chiSquare (before, behind));
@@ -366,7 +362,7 @@ private:
     const double width = (high - low) / parts;
     if (!(width > 0.0))
       return;
-    std::array<Sums, fine_parts> strips{};
+    std::vector<Sums> strips (parts);
     for (std::size_t i = 0; i < points_.size (); ++i)
       addTo (i, strips[std::min (parts - 1, static_cast<int> ((direction.dot (places_[i]) - low) / width))]);
     Sums before, behind;
@@ -384,11 +380,10 @@ private:
 
   static constexpr double none = std::numeric_limits<double>::infinity (); /**< of a cut with too few points on one side */
 
-  const OrganizedCloud& cloud_;
   const PatchGraphParameters& parameters_;
-  pcl::Indices samples_;
   std::vector<Eigen::Vector2d> places_; /**< column, row */
   std::vector<Eigen::Vector3f> points_;
+  std::vector<HexconeHistogram::Shares> colors_; /**< of each point; empty without colour */
   std::vector<LocalMoments> local_; /**< of each point */
   LocalMoments all_;
   int smallest_; /**< points of a part */

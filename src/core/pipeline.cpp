@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "point_at.h"
 
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/object_contour.h>
 #include <pcl_attention/core/parameters.h>
 #include <pcl_attention/core/patch_steps.h>
@@ -591,6 +592,31 @@ AttentionPipeline::sizeWeight (float area) const
 bool
 AttentionPipeline::next (AttentionSegment& segment)
 {
+  if (!find (segment))
+    return (false);
+  const StageTimer timer (times_.segmentation);
+  moveInside (segment);
+  describe (segment);
+  return (true);
+}
+
+void
+AttentionPipeline::all (std::vector<AttentionSegment>& segments)
+{
+  segments.clear ();
+  expects_all_ = true;
+  for (AttentionSegment segment; find (segment);)
+    segments.push_back (std::move (segment));
+  const StageTimer timer (times_.segmentation);
+  forEachBand (static_cast<int> (segments.size ()), 1, threads_, [&] (int place, int) {
+    moveInside (segments[place]);
+    describe (segments[place]);
+  });
+}
+
+bool
+AttentionPipeline::find (AttentionSegment& segment)
+{
   if (!queue_filled_)
   {
     fillQueue ();
@@ -621,9 +647,6 @@ AttentionPipeline::next (AttentionSegment& segment)
     segment.rank = ++segments_found_;
     for (const pcl::index_t index : segment.indices)
       claimed_[index] = 1;
-    const StageTimer timer (times_.segmentation);
-    moveInside (segment);
-    describe (segment);
     return (true);
   }
   segment = AttentionSegment ();
@@ -733,7 +756,7 @@ AttentionPipeline::moveInside (AttentionSegment& segment) const
 }
 
 void
-AttentionPipeline::describe (AttentionSegment& segment)
+AttentionPipeline::describe (AttentionSegment& segment) const
 {
   Eigen::Vector3f upright = Eigen::Vector3f::Zero ();
   if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)

@@ -57,8 +57,21 @@ struct PCL_ATTENTION_EXPORTS HexconeHistogram : Histogram<9 * 9 * 2>
 {
   static constexpr int side = 9, values = 2;
 
+  /** \brief The eight cells that a colour lies between, and how much of it counts in each: in all 1. */
+  struct Shares
+  {
+    std::array<int, 8> cells;
+    std::array<float, 8> shares;
+  };
+
+  static Shares
+  sharesOf (std::uint8_t red, std::uint8_t green, std::uint8_t blue);
+
   void
-  add (std::uint8_t red, std::uint8_t green, std::uint8_t blue, float weight = 1.0f);
+  add (const Shares& color, float weight = 1.0f);
+
+  void
+  add (std::uint8_t red, std::uint8_t green, std::uint8_t blue, float weight = 1.0f) { add (sharesOf (red, green, blue), weight); }
 };
 
 /** \brief The histogram's bin of a colour; hue in [0, 360) degrees, saturation and value in [0, 1], upper ends inclusive. */

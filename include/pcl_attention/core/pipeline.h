@@ -178,15 +178,15 @@ public:
   const std::vector<SupportingPlane>&
   supportingPlanes ();
 
-  /** \brief Say that all objects of this frame will be asked for, not only the first ones, so that several threads work out
-    * together what they are made of. */
-  void
-  expectAll () { expects_all_ = true; }
-
   /** \brief The next object in order of attention.
     * \return false when there is none left */
   bool
   next (AttentionSegment& segment);
+
+  /** \brief All objects that \ref next would give, in its order; several threads work them out together.
+    * \param[out] segments nothing else than the objects that are left */
+  void
+  all (std::vector<AttentionSegment>& segments);
 
   /** \brief The object at a point of the user's choice; does not change what \ref next gives.
     * \return false when there is no patch at the point */
@@ -268,8 +268,12 @@ private:
   void
   moveInside (AttentionSegment& segment) const;
 
+  /** \brief Find the next object, without what follows from its pixels alone. */
+  bool
+  find (AttentionSegment& segment);
+  /** \brief The rest of an object that was found. */
   void
-  describe (AttentionSegment& segment);
+  describe (AttentionSegment& segment) const;
 
   AttentionParameters parameters_;
   int threads_{1};
@@ -303,7 +307,7 @@ private:
   std::vector<Waiting> waiting_; /**< in the order of their points */
   std::vector<std::uint8_t> claimed_; /**< 1 where a segment was found */
   int segments_found_{0};
-  bool expects_all_{false};
+  bool expects_all_{false}; /**< whether all objects are asked for, so that nothing is worked out in vain */
   StageTimes times_;
 };
 

@@ -15,13 +15,9 @@ AttentionSegmentation<PointT>::segment (std::vector<AttentionSegment>& segments)
   // All of the frame, also when some of it was already given one by one.
   this->forget ();
   const bool done = run ("segment", [&] {
-    AttentionSegment next;
-    pipeline_.expectAll ();
-    while (pipeline_.next (next))
-    {
-      this->restoreLabels (next);
-      segments.push_back (std::move (next));
-    }
+    pipeline_.all (segments);
+    for (AttentionSegment& found : segments)
+      this->restoreLabels (found);
     return (true);
   });
   if (!done)
