@@ -58,7 +58,8 @@ toString (GrowthConstraint constraint)
 /** \brief A set of patches: the growing object, or what it may join. */
 struct CompactClustering::Piece
 {
-  std::vector<int> patches;
+  std::vector<int> patches;           /**< first those that have grown together, then those of what was joined */
+  std::size_t grown{0};               /**< how many have grown together */
   std::vector<std::uint8_t> member;   /**< at [label] */
   std::map<int, PatchBorder> borders; /**< to every neighbour that is no member, seen from the piece */
   ObjectHull hull;
@@ -72,7 +73,6 @@ struct CompactClustering::Piece
   std::vector<const Piece*> joined; /**< what was joined to it */
   ColorHistogram surroundings; /**< the not-object, worked out when it is first needed after a change */
   bool surroundings_known{false};
-  RowSpans mouth; /**< the pixels within the outline of its hollow; empty without one, and before it is looked for */
 };
 
 CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
@@ -294,6 +294,13 @@ CompactClustering::patchHollowness (int label)
   return (*patch_hollowness_[label]);
 }
 
+bool
+CompactClustering::isPlane (int label) const
+{
+  const PlanarPatch& patch = patches_.patches[label - 1];
+  return (static_cast<int> (patch.pixels.size ()) >= parameters_.certain_size && patch.rms < withNoise (0.0f, patch.centroid.z ()));
+}
+
 float
 CompactClustering::compactnessOf (const std::vector<int>& labels, const VisibleHull& hull, bool hollow) const
 {
@@ -409,7 +416,9 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
       const int pixels = std::min (piece.pixels, static_cast<int> (patches_.patches[label - 1].pixels.size ()));
       const auto [less, more] = std::minmax ({piece.hollowness, patchHollowness (label)});
       hollow = less > parameters_.minimum_hollowness;
-      if (hollow)
+      const bool is_floor = parameters_.separate_floors &&
+                            (isPlane (label) || (piece.patches.size () == 1 && isPlane (piece.patches.front ())));
+      if (hollow && !is_floor)
         limit = std::min (limit, -0.7f);
       const bool inside_and_outside =
         more > parameters_.certain_hollowness && less < -parameters_.certain_hollowness && pixels >= parameters_.certain_size;
@@ -424,11 +433,6 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
         return (refuse (GrowthConstraint::convexity, border.convexity (), limit));
     }
   }
-  // The pieces of a hollow are told by their shape, wherever they meet.
-  const float outline = static_cast<float> (std::min (piece.perimeter, graph_.perimeter[label]));
-  const float contact = outline > 0.0f ? static_cast<float> (border.connected) / outline : 1.0f;
-  if (!hollow && contact < parameters_.minimum_contact)
-    return (refuse (GrowthConstraint::connection, contact, parameters_.minimum_contact));
   if (parameters_.color_constraint != ColorConstraint::off && !color_bins_.empty ())
   {
     const auto [inside, outside] = colorDistances (label, piece);
@@ -504,6 +508,7 @@ CompactClustering::growOverBorders (Piece& piece, bool of_partition)
       }
     }
   }
+  piece.grown = piece.patches.size ();
 }
 
 CompactClustering::Piece
@@ -791,11 +796,11 @@ CompactClustering::joinPiece (Piece& object)
   for (const Piece* piece : neighbors)
     if (isHandle (*piece) || (parameters_.join_hollows && (isFloorOf (object, *piece) || isHollowOf (object, *piece))))
       return (join (*piece));
-  if (parameters_.join_hollows)
+  if (parameters_.join_hollows && !hollowPatches (object).empty ())
   {
-    object.mouth = mouthOf (object);
+    const RowSpans outline = outlineOf (object.patches);
     for (const Piece* piece : neighbors)
-      if (liesInMouth (object, *piece))
+      if (piece->pixels <= object.pixels && liesWithin (outline, *piece))
         return (join (*piece));
   }
   if (!parameters_.join_occluded)
@@ -820,27 +825,40 @@ CompactClustering::joinPiece (Piece& object)
   return (false);
 }
 
-CompactClustering::RowSpans
-CompactClustering::mouthOf (const Piece& object) const
+std::vector<int>
+CompactClustering::hollowPatches (const Piece& object) const
 {
-  std::vector<const Piece*> hollows;
-  if (object.hollowness > parameters_.certain_hollowness)
-    hollows.push_back (&object);
+  std::vector<int> labels;
+  const auto takeHollow = [&] (const Piece& piece) {
+    if (piece.hollowness > parameters_.certain_hollowness)
+      labels.insert (labels.end (), piece.patches.begin (), piece.patches.begin () + static_cast<std::ptrdiff_t> (piece.grown));
+  };
+  takeHollow (object);
   for (const Piece* piece : object.joined)
-    if (piece->hollowness > parameters_.certain_hollowness)
-      hollows.push_back (piece);
-  if (hollows.empty ())
+    takeHollow (*piece);
+  return (labels);
+}
+
+CompactClustering::RowSpans
+CompactClustering::outlineOf (const std::vector<int>& labels) const
+{
+  if (labels.empty ())
     return {};
   // The hull of the ends of the rows is that of all pixels.
   std::vector<std::pair<int, int>> ends (cloud_.height, {cloud_.width, -1});
-  for (const Piece* piece : hollows)
-    for (const int label : piece->patches)
-      for (const pcl::index_t index : patches_.patches[label - 1].pixels)
-      {
-        auto& [left, right] = ends[index / cloud_.width];
-        left = std::min (left, index % cloud_.width);
-        right = std::max (right, index % cloud_.width);
-      }
+  for (const int label : labels)
+  {
+    const pcl::Indices& pixels = patches_.patches[label - 1].pixels;
+    int row = pixels.front () / cloud_.width, row_begin = row * cloud_.width;
+    for (const pcl::index_t index : pixels)
+    {
+      for (; index >= row_begin + cloud_.width; row_begin += cloud_.width)
+        ++row;
+      auto& [left, right] = ends[row];
+      left = std::min (left, index - row_begin);
+      right = std::max (right, index - row_begin);
+    }
+  }
   std::vector<Eigen::Vector3f> outline;
   for (int row = 0; row < cloud_.height; ++row)
     if (ends[row].second >= 0)
@@ -849,7 +867,7 @@ CompactClustering::mouthOf (const Piece& object) const
   const std::vector<Eigen::Vector3f> corners = computeConvexHull (outline, 2).vertices;
   if (corners.size () < 3)
     return {};
-  RowSpans mouth (cloud_.height);
+  RowSpans spans (cloud_.height);
   for (int row = 0; row < cloud_.height; ++row)
   {
     // Where the row crosses the polygon.
@@ -865,9 +883,9 @@ CompactClustering::mouthOf (const Piece& object) const
       left = std::min ({left, x, level ? b.x () : x});
       right = std::max ({right, x, level ? b.x () : x});
     }
-    mouth[row] = {static_cast<int> (std::ceil (left)), static_cast<int> (right) + 1};
+    spans[row] = {static_cast<int> (std::ceil (left)), static_cast<int> (right) + 1};
   }
-  return (mouth);
+  return (spans);
 }
 
 pcl::Indices
@@ -885,9 +903,11 @@ CompactClustering::pixelsOf (const Piece& object) const
   for (const int label : object.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
       taken[index - before] = 1;
-  if (!object.mouth.empty ())
+  // What was taken for the support, but is seen through the mouth of a hollow, is its floor.
+  const RowSpans mouth = parameters_.join_hollows ? outlineOf (hollowPatches (object)) : RowSpans ();
+  if (!mouth.empty ())
     for (int row = first_row; row <= last_row; ++row)
-      for (int column = object.mouth[row].first; column < object.mouth[row].second; ++column)
+      for (int column = mouth[row].first; column < mouth[row].second; ++column)
         if (const pcl::index_t index = row * cloud_.width + column; isSupport (patches_.labels[index]))
           taken[index - before] = 1;
   pcl::Indices pixels;
@@ -903,15 +923,15 @@ CompactClustering::pixelsOf (const Piece& object) const
 }
 
 bool
-CompactClustering::liesInMouth (const Piece& object, const Piece& piece) const
+CompactClustering::liesWithin (const RowSpans& outline, const Piece& piece) const
 {
-  if (object.mouth.empty () || piece.hollowness < -parameters_.certain_hollowness || piece.pixels > object.pixels)
+  if (outline.empty () || piece.hollowness < -parameters_.certain_hollowness)
     return (false);
   int within = 0, before = 0;
   for (const int label : piece.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
     {
-      const auto& [begin, end] = object.mouth[index / cloud_.width];
+      const auto& [begin, end] = outline[index / cloud_.width];
       within += index % cloud_.width >= begin && index % cloud_.width < end;
     }
   for (const auto& border : piece.borders)

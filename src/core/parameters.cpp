@@ -200,8 +200,6 @@ makeTable ()
              "distance of a point to a face of the hull: to the face itself, or to its plane")
     .number ("minimum_connection", &ClusteringParameters::minimum_connection, 0, 1, "share", "",
              "of the common border that is connected in 3D; 0: off")
-    .number ("minimum_contact", &ClusteringParameters::minimum_contact, 0, 1, "share", "",
-             "of the shorter outline that is connected to the other patch, unless both are of one hollow; 0: off")
     .number ("minimum_convexity", &ClusteringParameters::minimum_convexity, -2, 2, "", "",
              "of the common border, -2 concave, 2 convex; -2: off")
     .toggle ("stay_off_support", &ClusteringParameters::stay_off_support, "", "patches of a supporting plane are not added")
@@ -213,6 +211,8 @@ makeTable ()
              "patches that curve inwards together are one hollow, concave as their borders are")
     .number ("minimum_hollowness", &ClusteringParameters::minimum_hollowness, -1, 1, "", "",
              "mean cosine between the normals of a hollow's patch and the direction to its middle")
+    .toggle ("separate_floors", &ClusteringParameters::separate_floors, "",
+             "but not as concave where one of them is a plane, as the flat floor of a pot; on with -parts")
     .number ("certain_hollowness", &ClusteringParameters::certain_hollowness, 0, 1, "", "",
              "the same of what is the inside of a bowl for certain, its negative of an outside")
     .number ("certain_size", &ClusteringParameters::certain_size, 1, 1000000, "pixels", "",

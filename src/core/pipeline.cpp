@@ -122,7 +122,6 @@ AttentionParameters::paper ()
   parameters.clustering.compactness_noise = 0.0f;
   parameters.clustering.face_distance = FaceDistance::triangle;
   parameters.clustering.minimum_connection = 0.0f;
-  parameters.clustering.minimum_contact = 0.0f;
   parameters.clustering.minimum_convexity = -2.0f;
   parameters.clustering.stay_off_support = false;
   parameters.clustering.color_convexity = 0.0f;

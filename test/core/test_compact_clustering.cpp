@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 using namespace pcl_attention;
 using Eigen::Vector3d;
@@ -405,56 +406,50 @@ TEST (CompactClustering, CompactnessRefusesAPatchFarBehind)
   EXPECT_EQ (connected.steps[0].limit, 0.5f);
 }
 
-TEST (CompactClustering, ToTouchAtACornerIsNotEnough)
+TEST (CompactClustering, TheFlatFloorOfAHollowMayBeAPieceOfItsOwn)
 {
-  // Two squares of 12 by 12 pixels with one row in common: a pair along it and one in either falling diagonal, of 140.
-  Image<int> labels (64, 48, 3);
-  for (int row = 0; row < 12; ++row)
-    for (int column = 0; column < 12; ++column)
-    {
-      labels (10 + column, 10 + row) = 1;
-      labels (22 + column, 21 + row) = 2;
-    }
-  const Case scene (shapes::look (shapes::plane ({0, 0, 0.8}, {0, 0, -1})), labels);
-  ASSERT_EQ (scene.graph.border (1, 2).connected, 3);
-  ASSERT_EQ (scene.graph.perimeter[1], 140);
-  ClusteringParameters parameters = plain ();
-  parameters.stay_off_support = true;
-  parameters.minimum_contact = 0.02f;
-  EXPECT_EQ (scene.grow (15, 15, parameters, {0, 0, 0, 1}).patches, (std::vector<int>{1, 2}));
-  parameters.minimum_contact = 0.03f;
-  const AttentionSegment apart = scene.grow (15, 15, parameters, {0, 0, 0, 1});
-  EXPECT_EQ (apart.patches, (std::vector<int>{1}));
-  const GrowthStep* const step = stepOf (apart, 2);
-  ASSERT_NE (step, nullptr);
-  EXPECT_EQ (step->refused_by, GrowthConstraint::connection);
-  EXPECT_FLOAT_EQ (step->value, 3.0f / 140.0f);
-  EXPECT_EQ (step->limit, 0.03f);
-}
-
-TEST (CompactClustering, PiecesOfAHollowMayTouchWhereverTheyDo)
-{
-  // The inside of a sphere of 50 mm, in two halves.
-  Frame frame = shapes::emptyFrame (64, 48);
-  Image<int> labels (64, 48, 1);
-  const Vector3d middle (0, 0, 0.75);
-  for (int row = 0; row < 48; ++row)
-    for (int column = 0; column < 64; ++column)
-    {
-      const double x = 0.001 * (column - 31.5), y = 0.001 * (row - 23.5);
-      const Vector3d point (x, y, middle.z () + std::sqrt (0.0025 - x * x - y * y));
-      labels (column, row) = column < 32 ? 1 : 2;
-      frame.set (frame.index (column, row), point, (middle - point).normalized ());
-    }
-  const Case bowl (frame, labels);
-  ClusteringParameters parameters = plain ();
-  parameters.minimum_convexity = -1.5f;
-  parameters.compactness_threshold = 0.1f;
-  parameters.minimum_contact = 0.9f;
-  parameters.recognize_hollows = true;
-  EXPECT_EQ (bowl.grow (15, 24, parameters).patches, (std::vector<int>{1, 2}));
-  parameters.recognize_hollows = false;
-  EXPECT_EQ (bowl.grow (15, 24, parameters).patches, (std::vector<int>{1}));
+  // A floor on the left and a wall that rises from it by 30 degrees: the convexity is -2 sin (15 degrees) = -.52, within what a hollow
+  // may have. The wall is bent along the crease by 4 mm, the depth has noise of half a millimetre.
+  const auto patchesFrom = [] (int column, double bend_of_floor, const std::function<void (ClusteringParameters&)>& change) {
+    std::mt19937 random (1);
+    std::normal_distribution<double> noise (0.0, 0.0005);
+    Frame frame = shapes::emptyFrame (64, 48);
+    Image<int> labels (64, 48, 1);
+    const double slope = std::tan (3.14159265358979 / 6.0);
+    for (int row = 0; row < 48; ++row)
+      for (int at = 0; at < 64; ++at)
+      {
+        const double x = 0.001 * (at - 31.5), y = 0.001 * (row - 23.5), bend = (x < 0.0 ? bend_of_floor : 0.004) * std::cos (200.0 * y);
+        labels (at, row) = x < 0.0 ? 1 : 2;
+        frame.set (frame.index (at, row), {x, y, 0.8 - slope * std::max (0.0, x) + bend + noise (random)},
+                   Vector3d (x < 0.0 ? 0.0 : -slope, 0, -1).normalized ());
+      }
+    ClusteringParameters parameters = plain ();
+    parameters.minimum_convexity = -0.2f;
+    parameters.compactness_threshold = 0.1f;
+    parameters.compactness_noise = 2.5f;
+    parameters.recognize_hollows = true;
+    parameters.minimum_hollowness = -0.5f;
+    parameters.separate_floors = false;
+    change (parameters);
+    return (sorted (Case (frame, labels).grow (column, 24, parameters).patches));
+  };
+  const auto separate = [] (ClusteringParameters& parameters) { parameters.separate_floors = true; };
+  const std::vector<int> both{1, 2};
+  EXPECT_EQ (patchesFrom (50, 0.0, [] (ClusteringParameters&) {}), both);
+  EXPECT_EQ (patchesFrom (50, 0.0, separate), (std::vector<int>{2}));
+  EXPECT_EQ (patchesFrom (10, 0.0, separate), (std::vector<int>{1}));
+  // Three millimetres are 2.1 standard deviations more than the noise allows a plane.
+  EXPECT_EQ (patchesFrom (50, 0.003, separate), both);
+  EXPECT_EQ (patchesFrom (10, 0.003, separate), both);
+  EXPECT_EQ (patchesFrom (50, 0.0, [&] (ClusteringParameters& parameters) {
+    separate (parameters);
+    parameters.certain_size = 2000;
+  }), both) << "too small to tell";
+  EXPECT_EQ (patchesFrom (50, 0.0, [&] (ClusteringParameters& parameters) {
+    separate (parameters);
+    parameters.minimum_convexity = -0.6f;
+  }), both) << "no crease that other patches would not be joined over";
 }
 
 TEST (CompactClustering, FlatHalvesOfAnInsideAreOneUnlessTheyMeetSquarely)
@@ -523,6 +518,38 @@ TEST (CompactClustering, TheFloorSeenThroughTheMouthOfAHollowBelongsToIt)
   EXPECT_EQ (plate.grow (31, 8, parameters, support).indices.size (), static_cast<std::size_t> (ring + floor));
   parameters.visiblePieces ();
   EXPECT_EQ (plate.grow (31, 8, parameters, support).indices.size (), static_cast<std::size_t> (ring));
+}
+
+TEST (CompactClustering, WhatIsSeenBesideTheHandleOfAHollowIsNotItsFloor)
+{
+  // A bowl from above with a bent handle at the height of its rim: the hull of both goes over 100 pixels of table and more.
+  // What is flat beside them tells that there is no noise.
+  Frame frame = shapes::emptyFrame (192, 48);
+  Image<int> labels (192, 48, 1);
+  for (int row = 0; row < 48; ++row)
+    for (int column = 0; column < 192; ++column)
+    {
+      const double x = 0.002 * (column - 31.5), y = 0.002 * (row - 23.5), radius = std::hypot (x, y);
+      const bool rises = radius >= 0.02 && radius <= 0.04;
+      const bool handle = radius > 0.04 && column > 31 && column < 61 && ((row >= 20 && row < 28) || (column >= 57 && row >= 20));
+      const double z = rises ? 0.8 - 1.5 * (radius - 0.02) : handle ? 0.77 : 0.8;
+      const Vector3d normal = rises ? Vector3d (-1.5 * x / radius, -1.5 * y / radius, -1) : Vector3d (0, 0, -1);
+      frame.set (frame.index (column, row), {x, y, z}, normal.normalized ());
+      labels (column, row) = rises ? 2 : handle ? 3 : 1;
+    }
+  const Case bowl (frame, labels);
+  ClusteringParameters parameters;
+  parameters.minimum_convexity = 1.0f; // nothing grows
+  const std::vector<std::uint8_t> support{0, 1, 0, 0};
+  const AttentionSegment segment = bowl.grow (31, 8, parameters, support);
+  ASSERT_EQ (segment.patches, (std::vector<int>{2, 3}));
+  std::size_t floor = 0;
+  for (const pcl::index_t index : segment.indices)
+    floor += labels[index] == 1;
+  EXPECT_EQ (floor, static_cast<std::size_t> (std::count_if (segment.indices.begin (), segment.indices.end (), [&] (pcl::index_t index) {
+    return (labels[index] == 1 && std::hypot (index % 192 - 31.5, index / 192 - 23.5) < 10.0);
+  })));
+  EXPECT_GT (floor, 250u);
 }
 
 TEST (CompactClustering, TheInsideOfAHollowAndItsWallMeetInARimThatIsPlane)

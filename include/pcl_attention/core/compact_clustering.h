@@ -46,8 +46,6 @@ struct ClusteringParameters
   HullMethod hull_method{HullMethod::growing};
   FaceDistance face_distance{FaceDistance::plane};
   float minimum_connection{0.5f};     /**< share of the common border that is connected in 3D, 0..1; 0: off */
-  float minimum_contact{0.02f};       /**< share of the shorter of both outlines that is such a border, 0..1: patches of two objects
-                                        touch at a corner; those of a hollow may as well; 0: off */
   float minimum_convexity{-0.2f};     /**< of the common border, -2 (concave) .. 2; -2: off */
   float color_convexity{0.3f};        /**< how much more convexity differing colours ask for, and like colours spare */
   float color_compactness{0.6f};      /**< share by which the compactness threshold is smaller where a patch has no colours in
@@ -57,6 +55,8 @@ struct ClusteringParameters
   bool recognize_hollows{true};       /**< patches that curve inwards together are the inside of one hollow, concave as their
                                         borders are */
   float minimum_hollowness{0.01f};    /**< mean cosine between the normals of such a patch and the direction to its middle, -1..1 */
+  bool separate_floors{false};        /**< but not as concave where one of the two is a plane, as the flat floor of a pot is; on with
+                                        -parts */
   float certain_hollowness{0.15f};    /**< the same of what is the inside of a bowl or mug for certain, its negative of an outside */
   int certain_size{200};              /**< the shape of fewer pixels says nothing */
   float surface_tolerance{0.01f};     /**< how far the points of one rim may lie off its plane (rms), and planes that go on behind an
@@ -84,7 +84,8 @@ struct ClusteringParameters
   visiblePieces ()
   {
     join_hollows = join_handles = join_occluded = false;
-    minimum_hollowness = 0.03f; // the flat floor of a pot is a piece of its own
+    separate_floors = true;
+    minimum_hollowness = 0.03f; // what is nearly flat is no part of an inside either
   }
 };
 
@@ -260,6 +261,10 @@ private:
   float
   patchHollowness (int label);
 
+  /** \brief Whether a patch that is large enough to tell is a plane but for the noise. */
+  bool
+  isPlane (int label) const;
+
   /** \brief What grows from a patch on its own. */
   Piece
   grownFrom (int label);
@@ -297,11 +302,16 @@ private:
   void
   takeLargerObject (Piece& object);
 
-  /** \brief The pixels within the outline of an object's hollow, its convex hull in the image; empty without a hollow. */
+  /** \brief What of an object has grown together as the inside of a hollow. */
+  std::vector<int>
+  hollowPatches (const Piece& object) const;
+
+  /** \brief The pixels within the convex hull of some patches in the image; empty where that has no area. */
   RowSpans
-  mouthOf (const Piece& object) const;
+  outlineOf (const std::vector<int>& labels) const;
+  /** \brief Whether a piece that is no outside lies within an outline and before nothing, as what is seen in a hollow. */
   bool
-  liesInMouth (const Piece& object, const Piece& piece) const;
+  liesWithin (const RowSpans& outline, const Piece& piece) const;
   /** \brief Ascending; with what was taken for the support, but is seen through the mouth of an object: its floor. */
   pcl::Indices
   pixelsOf (const Piece& object) const;
