@@ -641,7 +641,7 @@ CompactClustering::isRim (const Piece& wall, const Piece& inside) const
 bool
 CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
 {
-  constexpr float least_score = 0.05f;
+  constexpr float least_score = 0.1f;
   const bool object_is_hollow = object.hollowness > parameters_.certain_hollowness,
              piece_is_hollow = piece.hollowness > parameters_.certain_hollowness;
   if (object_is_hollow == piece_is_hollow)

@@ -556,8 +556,8 @@ TEST (CompactClustering, TheInsideOfAHollowAndItsWallMeetInARimThatIsPlane)
 {
   // A dish from above, 80 mm wide, and the wall that falls off around it: two patches that meet in a circle. Bent like a saddle the
   // circle is no rim: a x^2 - a y^2 is 25 mm cos 2 phi there, which lies 25 / sqrt (2) = 18 mm off its plane. What is flat beside them
-  // tells that there is no noise.
-  const auto patchesOf = [] (double saddle) {
+  // tells that there is no noise. A wall that goes round a small part of the circle may be anything that stands there.
+  const auto patchesOf = [] (double saddle, double part_with_wall = 1.0) {
     Frame frame = shapes::emptyFrame (192, 64);
     Image<int> labels (192, 64, 0);
     for (int row = 0; row < 64; ++row)
@@ -565,9 +565,9 @@ TEST (CompactClustering, TheInsideOfAHollowAndItsWallMeetInARimThatIsPlane)
       {
         const double x = 0.002 * (column - 31.5), y = 0.002 * (row - 31.5), radius = std::hypot (x, y), rim = 0.04;
         frame.set (frame.index (column, row), {x, y, 0.9}, {0, 0, -1});
-        if (radius > 0.06)
-          continue;
         const bool inside = radius < rim;
+        if (radius > 0.06 || (!inside && std::abs (std::atan2 (x, -y)) > part_with_wall * 3.14159265358979))
+          continue;
         const double slope = inside ? -20.0 * radius : 2.0; // dz / d radius
         const double z = inside ? 0.8 + 10.0 * (rim * rim - radius * radius) : 0.8 + 2.0 * (radius - rim);
         labels (column, row) = inside ? 1 : 2;
@@ -580,6 +580,8 @@ TEST (CompactClustering, TheInsideOfAHollowAndItsWallMeetInARimThatIsPlane)
   };
   EXPECT_EQ (patchesOf (0.0), (std::vector<int>{1, 2}));
   EXPECT_EQ (patchesOf (0.025), (std::vector<int>{1}));
+  EXPECT_EQ (patchesOf (0.0, 0.13), (std::vector<int>{1, 2}));
+  EXPECT_EQ (patchesOf (0.0, 0.06), (std::vector<int>{1}));
 }
 
 TEST (CompactClustering, WhatGoesOnBehindAnOccluderHasNoSideSetBack)
