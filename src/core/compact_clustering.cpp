@@ -19,9 +19,6 @@ namespace pcl_attention
 namespace
 {
 
-/** \brief What lies in a hollow hides no more of its contour's surroundings than this share. */
-constexpr float hiding_nothing = 0.1f;
-
 /** \brief A patch is large if it is at least so much of its piece, as 1 / n. */
 constexpr int large_share = 5;
 
@@ -670,6 +667,16 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
 }
 
 bool
+CompactClustering::hidesNothing (const Piece& piece) const
+{
+  constexpr float almost = 0.1f; // of its contour
+  int before = 0;
+  for (const auto& border : piece.borders)
+    before += border.second.first_in_front;
+  return (before <= almost * piece.perimeter);
+}
+
+bool
 CompactClustering::isFloorOf (const Piece& object, const Piece& piece) const
 {
   const float hollow = parameters_.certain_hollowness;
@@ -678,10 +685,7 @@ CompactClustering::isFloorOf (const Piece& object, const Piece& piece) const
   const Piece& floor = object_is_hollow ? piece : object;
   if (inside.hollowness <= hollow || floor.hollowness < -hollow || inside.pixels < parameters_.certain_size)
     return (false);
-  int before = 0;
-  for (const auto& border : floor.borders)
-    before += border.second.first_in_front;
-  return (before <= hiding_nothing * floor.perimeter && borderBetween (inside, floor).connected >= 0.25f * floor.perimeter);
+  return (hidesNothing (floor) && borderBetween (inside, floor).connected >= 0.25f * floor.perimeter);
 }
 
 bool
@@ -798,9 +802,13 @@ CompactClustering::joinPiece (Piece& object)
       return (join (*piece));
   if (parameters_.join_hollows && !hollowPatches (object).empty ())
   {
-    const RowSpans outline = outlineOf (object.patches);
-    for (const Piece* piece : neighbors)
-      if (piece->pixels <= object.pixels && liesWithin (outline, *piece))
+    std::vector<const Piece*> seen_within;
+    std::copy_if (neighbors.begin (), neighbors.end (), std::back_inserter (seen_within), [&] (const Piece* piece) {
+      return (piece->pixels <= object.pixels && piece->hollowness >= -parameters_.certain_hollowness && hidesNothing (*piece));
+    });
+    const RowSpans outline = seen_within.empty () ? RowSpans () : outlineOf (object.patches);
+    for (const Piece* piece : seen_within)
+      if (liesWithin (outline, *piece))
         return (join (*piece));
   }
   if (!parameters_.join_occluded)
@@ -925,18 +933,16 @@ CompactClustering::pixelsOf (const Piece& object) const
 bool
 CompactClustering::liesWithin (const RowSpans& outline, const Piece& piece) const
 {
-  if (outline.empty () || piece.hollowness < -parameters_.certain_hollowness)
+  if (outline.empty ())
     return (false);
-  int within = 0, before = 0;
+  int within = 0;
   for (const int label : piece.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
     {
       const auto& [begin, end] = outline[index / cloud_.width];
       within += index % cloud_.width >= begin && index % cloud_.width < end;
     }
-  for (const auto& border : piece.borders)
-    before += border.second.first_in_front;
-  return (within >= 0.8f * piece.pixels && before <= hiding_nothing * piece.perimeter);
+  return (within >= 0.8f * piece.pixels);
 }
 
 float

@@ -309,9 +309,12 @@ private:
   /** \brief The pixels within the convex hull of some patches in the image; empty where that has no area. */
   RowSpans
   outlineOf (const std::vector<int>& labels) const;
-  /** \brief Whether a piece that is no outside lies within an outline and before nothing, as what is seen in a hollow. */
+  /** \brief Whether most of a piece lies within an outline. */
   bool
   liesWithin (const RowSpans& outline, const Piece& piece) const;
+  /** \brief Whether a piece is before next to nothing, as what is seen in a hollow. */
+  bool
+  hidesNothing (const Piece& piece) const;
   /** \brief Ascending; with what was taken for the support, but is seen through the mouth of an object: its floor. */
   pcl::Indices
   pixelsOf (const Piece& object) const;
