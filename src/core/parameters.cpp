@@ -212,7 +212,7 @@ makeTable ()
     .number ("minimum_hollowness", &ClusteringParameters::minimum_hollowness, -1, 1, "", "",
              "mean cosine between the normals of a hollow's patch and the direction to its middle")
     .toggle ("separate_floors", &ClusteringParameters::separate_floors, "",
-             "but not as concave where one of them is a plane, as the flat floor of a pot; on with -parts")
+             "borders of a hollow are not as concave where a patch is a plane, as the flat floor of a pot; on with -parts")
     .number ("certain_hollowness", &ClusteringParameters::certain_hollowness, 0, 1, "", "",
              "the same of what is the inside of a bowl for certain, its negative of an outside")
     .number ("certain_size", &ClusteringParameters::certain_size, 1, 1000000, "pixels", "",

@@ -55,8 +55,8 @@ struct ClusteringParameters
   bool recognize_hollows{true};       /**< patches that curve inwards together are the inside of one hollow, concave as their
                                         borders are */
   float minimum_hollowness{0.01f};    /**< mean cosine between the normals of such a patch and the direction to its middle, -1..1 */
-  bool separate_floors{false};        /**< but not as concave where one of the two is a plane, as the flat floor of a pot is; on with
-                                        -parts */
+  bool separate_floors{false};        /**< borders within a hollow are not as concave where one of the patches is a plane, as the flat
+                                        floor of a pot is; on with -parts */
   float certain_hollowness{0.15f};    /**< the same of what is the inside of a bowl or mug for certain, its negative of an outside */
   int certain_size{200};              /**< the shape of fewer pixels says nothing */
   float surface_tolerance{0.01f};     /**< how far the points of one rim may lie off its plane (rms), and planes that go on behind an

@@ -307,7 +307,7 @@ private:
   std::vector<Waiting> waiting_; /**< in the order of their points */
   std::vector<std::uint8_t> claimed_; /**< 1 where a segment was found */
   int segments_found_{0};
-  bool expects_all_{false}; /**< whether all objects are asked for, so that nothing is worked out in vain */
+  bool expects_all_{false}; /**< so that what is worked out ahead is not in vain */
   StageTimes times_;
 };
 
