@@ -857,15 +857,13 @@ CompactClustering::outlineOf (const std::vector<int>& labels) const
   for (const int label : labels)
   {
     const pcl::Indices& pixels = patches_.patches[label - 1].pixels;
-    int row = pixels.front () / cloud_.width, row_begin = row * cloud_.width;
-    for (const pcl::index_t index : pixels)
-    {
-      for (; index >= row_begin + cloud_.width; row_begin += cloud_.width)
-        ++row;
-      auto& [left, right] = ends[row];
-      left = std::min (left, index - row_begin);
-      right = std::max (right, index - row_begin);
-    }
+    for (std::size_t i = 0; i < pixels.size (); ++i)
+      if (isRowEnd (pixels, i, cloud_.width))
+      {
+        auto& [left, right] = ends[pixels[i] / cloud_.width];
+        left = std::min (left, pixels[i] % cloud_.width);
+        right = std::max (right, pixels[i] % cloud_.width);
+      }
   }
   std::vector<Eigen::Vector3f> outline;
   for (int row = 0; row < cloud_.height; ++row)
