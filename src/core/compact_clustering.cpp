@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "convex_hull.h"
+#include "image_outline.h"
 #include "object_hull.h"
 #include "patch_groups.h"
 #include "point_at.h"
@@ -86,6 +86,7 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
 {
   const std::size_t count = patches.patches.size () + 1;
   samples_.resize (count);
+  rows_.resize (count);
   hulls_.resize (count);
   patch_hollowness_.resize (count);
   piece_of_.resize (count);
@@ -113,6 +114,7 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
                                   {normals.x[index], normals.y[index], normals.z[index]},
                                   static_cast<float> (pixels.size ()) / static_cast<float> (samples)});
     }
+    rows_[label] = rowsOf (pixels, cloud.width);
     colors_[label] = colorsOf (cloud, pixels);
     for (std::size_t i = 0; i < pixels.size () && !color_bins_.empty (); ++i)
       histograms_[label].add (color_bins_[pixels[i]]);
@@ -542,10 +544,13 @@ CompactClustering::pieceAt (int label)
 void
 CompactClustering::growAhead (const std::function<bool ()>& is_over)
 {
-  if (!parameters_.joinsPieces ())
-    return; // then only what a fixation leads to is grown
   if (!is_over ())
-    forEachSeed ([this] (int label) { patchHull (label); });
+    forEachSeed ([this] (int label) {
+      patchHull (label);
+      patchHollowness (label);
+    });
+  if (!parameters_.joinsPieces ())
+    return;
   forEachBand (static_cast<int> (islands_.size ()), 1, 1, [&] (int island, int) {
     for (const int seed : islands_[island].seeds)
     {
@@ -847,51 +852,13 @@ CompactClustering::hollowPatches (const Piece& object) const
   return (labels);
 }
 
-CompactClustering::RowSpans
+RowSpans
 CompactClustering::outlineOf (const std::vector<int>& labels) const
 {
-  if (labels.empty ())
-    return {};
-  // The hull of the ends of the rows is that of all pixels.
-  std::vector<std::pair<int, int>> ends (cloud_.height, {cloud_.width, -1});
+  std::vector<const RowSpans*> all;
   for (const int label : labels)
-  {
-    const pcl::Indices& pixels = patches_.patches[label - 1].pixels;
-    for (std::size_t i = 0; i < pixels.size (); ++i)
-      if (isRowEnd (pixels, i, cloud_.width))
-      {
-        auto& [left, right] = ends[pixels[i] / cloud_.width];
-        left = std::min (left, pixels[i] % cloud_.width);
-        right = std::max (right, pixels[i] % cloud_.width);
-      }
-  }
-  std::vector<Eigen::Vector3f> outline;
-  for (int row = 0; row < cloud_.height; ++row)
-    if (ends[row].second >= 0)
-      for (const int column : {ends[row].first, ends[row].second})
-        outline.emplace_back (static_cast<float> (column), static_cast<float> (row), 0.0f);
-  const std::vector<Eigen::Vector3f> corners = computeConvexHull (outline, 2).vertices;
-  if (corners.size () < 3)
-    return {};
-  RowSpans spans (cloud_.height);
-  for (int row = 0; row < cloud_.height; ++row)
-  {
-    // Where the row crosses the polygon.
-    float left = static_cast<float> (cloud_.width), right = -1.0f;
-    for (std::size_t i = 0; i < corners.size (); ++i)
-    {
-      const Eigen::Vector3f &a = corners[i], &b = corners[(i + 1) % corners.size ()];
-      const float y = static_cast<float> (row);
-      if (std::min (a.y (), b.y ()) > y || std::max (a.y (), b.y ()) < y)
-        continue;
-      const bool level = a.y () == b.y ();
-      const float x = level ? a.x () : a.x () + (b.x () - a.x ()) * (y - a.y ()) / (b.y () - a.y ());
-      left = std::min ({left, x, level ? b.x () : x});
-      right = std::max ({right, x, level ? b.x () : x});
-    }
-    spans[row] = {static_cast<int> (std::ceil (left)), static_cast<int> (right) + 1};
-  }
-  return (spans);
+    all.push_back (&rows_[label]);
+  return (convexOutline (all));
 }
 
 pcl::Indices
@@ -911,11 +878,10 @@ CompactClustering::pixelsOf (const Piece& object) const
       taken[index - before] = 1;
   // What was taken for the support, but is seen through the mouth of a hollow, is its floor.
   const RowSpans mouth = parameters_.join_hollows ? outlineOf (hollowPatches (object)) : RowSpans ();
-  if (!mouth.empty ())
-    for (int row = first_row; row <= last_row; ++row)
-      for (int column = mouth[row].first; column < mouth[row].second; ++column)
-        if (const pcl::index_t index = row * cloud_.width + column; isSupport (patches_.labels[index]))
-          taken[index - before] = 1;
+  for (std::size_t k = 0; k < mouth.columns.size (); ++k)
+    for (int column = mouth.columns[k].first; column < mouth.columns[k].second; ++column)
+      if (const pcl::index_t index = (mouth.first_row + static_cast<int> (k)) * cloud_.width + column; isSupport (patches_.labels[index]))
+        taken[index - before] = 1;
   pcl::Indices pixels;
   pixels.reserve (object.pixels);
   const std::uint8_t *const begin = taken.data (), *const end = begin + taken.size ();
@@ -931,15 +897,10 @@ CompactClustering::pixelsOf (const Piece& object) const
 bool
 CompactClustering::liesWithin (const RowSpans& outline, const Piece& piece) const
 {
-  if (outline.empty ())
-    return (false);
   int within = 0;
   for (const int label : piece.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
-    {
-      const auto& [begin, end] = outline[index / cloud_.width];
-      within += index % cloud_.width >= begin && index % cloud_.width < end;
-    }
+      within += outline.contains (index % cloud_.width, index / cloud_.width);
   return (within >= 0.8f * piece.pixels);
 }
 

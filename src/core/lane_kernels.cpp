@@ -6,7 +6,7 @@ namespace pcl_attention::PCL_ATTENTION_INSTRUCTION_SET
 {
 
 extern const LaneKernels kernels;
-const LaneKernels kernels{lane_count,   rowMoments, fitRow,     symmetryOfRow, fillRow,
-                          fillSplitRow, halveRow,   pointsNear, pointsOver,    nearestPlane};
+const LaneKernels kernels{lane_count, rowMoments, fitRow,       symmetryOfRow, fillRow,       fillSplitRow,
+                          halveRow,   pointsNear, pointsOver,   nearestPlane,  lowestHeight,  farthestPoints};
 
 } // namespace pcl_attention::PCL_ATTENTION_INSTRUCTION_SET

@@ -130,6 +130,9 @@ struct FlatPlane
   float normal[3], offset;
 };
 
+/** \brief Of those to the 26 neighbours in a grid one of each two that are opposite. */
+constexpr int direction_count = 13;
+
 struct LaneKernels
 {
   int lanes; /**< pixels at a time */
@@ -167,6 +170,17 @@ struct LaneKernels
     * \param[in] points of which only the coordinates are looked at */
   void (*nearestPlane) (const PointArrays& points, std::size_t count, const FlatPlane* planes, std::size_t plane_count,
                         float* distances);
+
+  /** \brief Height of every point over the plane that it is least high over.
+    * \param[in] points of which only the coordinates are looked at */
+  void (*lowestHeight) (const PointArrays& points, std::size_t count, const FlatPlane* planes, std::size_t plane_count,
+                        float* heights);
+
+  /** \brief Indices of the points farthest out in \ref direction_count directions and, from the end, in their opposites; of
+    * points as far out the first.
+    * \param[in] points of which only the coordinates are looked at
+    * \param[in] count 1 or more */
+  void (*farthestPoints) (const PointArrays& points, std::size_t count, int* farthest);
 };
 
 #ifdef PCL_ATTENTION_INSTRUCTION_SET
@@ -192,6 +206,10 @@ void
 pointsOver (const PointArrays& points, std::size_t count, const RoomTest& test, std::uint8_t* over);
 void
 nearestPlane (const PointArrays& points, std::size_t count, const FlatPlane* planes, std::size_t plane_count, float* distances);
+void
+lowestHeight (const PointArrays& points, std::size_t count, const FlatPlane* planes, std::size_t plane_count, float* heights);
+void
+farthestPoints (const PointArrays& points, std::size_t count, int* farthest);
 
 } // namespace PCL_ATTENTION_INSTRUCTION_SET
 #endif

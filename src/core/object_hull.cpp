@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "instruction_set.h"
 #include "object_hull.h"
 
 #include <pcl_attention/core/organized_cloud.h>
@@ -16,36 +17,35 @@ namespace pcl_attention
 namespace
 {
 
-/** \brief Points farthest out in some directions come first: what lies between them is then inside and costs no change. */
-std::vector<int>
-extremesFirst (const std::vector<Eigen::Vector3d>& points)
+/** \brief Points in arrays. Coordinates on the grid and sums of three of them are whole numbers that a float holds. */
+class FlatPoints
 {
-  // 13 directions, and the opposite of each: the least there is the farthest here.
-  constexpr int directions = 13;
-  std::array<int, 2 * directions> farthest;
-  auto forwards = farthest.begin (), backwards = farthest.end ();
-  for (int direction = 0; direction < directions; ++direction)
+public:
+  FlatPoints (const Eigen::Vector3d* points, std::size_t count)
+  : coordinates_ (Eigen::Map<const Eigen::Matrix3Xd> (points->data (), 3, static_cast<Eigen::Index> (count)).transpose ().cast<float> ())
   {
-    const double x = direction / 9 - 1, y = direction / 3 % 3 - 1, z = direction % 3 - 1;
-    double least = std::numeric_limits<double>::max (), most = -least;
-    std::size_t least_at = 0, most_at = 0;
-    for (std::size_t i = 0; i < points.size (); ++i)
-    {
-      const double reach = x * points[i].x () + y * points[i].y () + z * points[i].z ();
-      if (reach > most)
-      {
-        most = reach;
-        most_at = i;
-      }
-      if (reach < least)
-      {
-        least = reach;
-        least_at = i;
-      }
-    }
-    *forwards++ = static_cast<int> (most_at);
-    *--backwards = static_cast<int> (least_at);
   }
+
+  std::size_t
+  size () const { return (static_cast<std::size_t> (coordinates_.rows ())); }
+
+  PointArrays
+  arrays () const
+  {
+    return {coordinates_.col (0).data (), coordinates_.col (1).data (), coordinates_.col (2).data (), nullptr, nullptr, nullptr, nullptr};
+  }
+
+private:
+  Eigen::MatrixX3f coordinates_;
+};
+
+/** \brief Points farthest out in some directions come first: what lies between them is then inside and costs no change.
+  * \param[out] extremes how many those are */
+std::vector<int>
+extremesFirst (const FlatPoints& points, std::size_t& extremes)
+{
+  std::array<int, 2 * direction_count> farthest;
+  laneKernels ().farthestPoints (points.arrays (), points.size (), farthest.data ());
   std::vector<int> order;
   order.reserve (points.size ());
   std::vector<std::uint8_t> taken (points.size (), 0);
@@ -55,6 +55,7 @@ extremesFirst (const std::vector<Eigen::Vector3d>& points)
     taken[static_cast<std::size_t> (point)] = 1;
   };
   std::for_each (farthest.begin (), farthest.end (), take);
+  extremes = order.size ();
   for (std::size_t i = 0; i < points.size (); ++i)
     take (static_cast<int> (i));
   return (order);
@@ -105,23 +106,26 @@ GrowingHull::addOnGrid (const std::vector<Eigen::Vector3d>& points)
 {
   if (points.empty ())
     return;
-  const auto first = static_cast<int> (points_.size ());
+  const std::size_t first = facets_.size () == 0 ? 0 : points_.size (); // while flat, the points before are still to be inserted
+  points_.insert (points_.end (), points.begin (), points.end ());
+  if (facets_.size () == 0 && !startTetrahedron ())
+    return;
+  const FlatPoints flat (&points_[first], points_.size () - first);
+  std::size_t extremes;
+  const std::vector<int> order = extremesFirst (flat, extremes);
   Eigen::ArrayXd distances; // room for every point's
-  if (facets_.size () == 0)
-  {
-    points_.insert (points_.end (), points.begin (), points.end ());
-    if (!startTetrahedron ())
-      return;
-    // The tetrahedron's own corners lie on it and change nothing.
-    for (const int point : extremesFirst (points_))
-      insert (point, distances);
-  }
-  else
-  {
-    points_.insert (points_.end (), points.begin (), points.end ());
-    for (const int point : extremesFirst (points))
-      insert (first + point, distances);
-  }
+  std::vector<float> depths (flat.size ());
+  const auto insertThose = [&] (std::size_t begin, std::size_t end) {
+    // What is inside stays there. A float may be off by a fiftieth of a step.
+    constexpr float clearly = 0.1f;
+    const std::vector<FlatPlane> planes = facets_.inwards ();
+    laneKernels ().lowestHeight (flat.arrays (), flat.size (), planes.data (), planes.size (), depths.data ());
+    for (std::size_t i = begin; i < end; ++i)
+      if (depths[order[i]] <= clearly)
+        insert (static_cast<int> (first) + order[i], distances);
+  };
+  insertThose (0, extremes);
+  insertThose (extremes, order.size ());
   dropInnerPoints ();
 }
 
@@ -169,6 +173,19 @@ GrowingHull::Facets::resize (std::size_t count)
   corners.resize (count);
   for (std::vector<double>* values : {&x, &y, &z, &offset, &inverse_length})
     values->resize (count);
+}
+
+std::vector<FlatPlane>
+GrowingHull::Facets::inwards () const
+{
+  std::vector<FlatPlane> planes;
+  planes.reserve (size ());
+  for (std::size_t i = 0; i < size (); ++i)
+  {
+    const auto unit = [scale = -inverse_length[i]] (double value) { return (static_cast<float> (scale * value)); };
+    planes.push_back ({{unit (x[i]), unit (y[i]), unit (z[i])}, unit (offset[i])});
+  }
+  return (planes);
 }
 
 double

@@ -9,6 +9,7 @@
 namespace pcl_attention
 {
 
+struct FlatPlane;
 struct OrganizedCloud;
 
 /** \brief A grid of 65,000 steps over a frame, a fraction of any depth sensor's noise. Planes through its points, and the sides on
@@ -74,6 +75,9 @@ private:
     }
     void
     resize (std::size_t count);
+    /** \brief Their planes with unit normals that point inwards, steps. */
+    std::vector<FlatPlane>
+    inwards () const;
     /** \brief The largest distance of a point from any plane, steps.
       * \param[out] distances from all of them, times |n| and exact */
     double

@@ -99,27 +99,25 @@ struct Cut
 /** \brief Sums over points of a patch, in coordinates of its plane: u and v in it, w off it. */
 struct LocalMoments
 {
-  double count{0.0};
-  std::array<double, 9> sums{}; /**< u, v, w, uu, uv, uw, vv, vw, ww */
+  Eigen::Array<double, 10, 1> sums; /**< 1, u, v, w, uu, uv, uw, vv, vw, ww */
 
-  LocalMoments () = default;
-  LocalMoments (double u, double v, double w) : count (1.0), sums{u, v, w, u * u, u * v, u * w, v * v, v * w, w * w} {}
+  LocalMoments () : sums (decltype (sums)::Zero ()) {}
+  LocalMoments (double u, double v, double w) { sums << 1.0, u, v, w, u * u, u * v, u * w, v * v, v * w, w * w; }
+
+  double
+  count () const { return (sums[0]); }
 
   LocalMoments&
   operator+= (const LocalMoments& other)
   {
-    count += other.count;
-    for (std::size_t i = 0; i < sums.size (); ++i)
-      sums[i] += other.sums[i];
+    sums += other.sums;
     return (*this);
   }
 
   LocalMoments&
   operator-= (const LocalMoments& other)
   {
-    count -= other.count;
-    for (std::size_t i = 0; i < sums.size (); ++i)
-      sums[i] -= other.sums[i];
+    sums -= other.sums;
     return (*this);
   }
 
@@ -127,9 +125,9 @@ struct LocalMoments
   double
   residual () const
   {
-    const auto& [u, v, w, uu, uv, uw, vv, vw, ww] = sums;
-    const double a = uu - u * u / count, b = uv - u * v / count, c = vv - v * v / count;
-    const double d = uw - u * w / count, e = vw - v * w / count, all = ww - w * w / count;
+    const double u = sums[1], v = sums[2], w = sums[3];
+    const double a = sums[4] - u * u / count (), b = sums[5] - u * v / count (), c = sums[7] - v * v / count ();
+    const double d = sums[6] - u * w / count (), e = sums[8] - v * w / count (), all = sums[9] - w * w / count ();
     const double determinant = a * c - b * b;
     return (determinant > 0.0 ? std::max (0.0, all - (d * d * c - 2.0 * d * e * b + e * e * a) / determinant) : all);
   }
@@ -328,7 +326,7 @@ private:
     tryCuts<LocalMoments> (
       angle, parts, [this] (std::size_t i, LocalMoments& strip) { strip += local_[i]; },
       [this] (const LocalMoments& before, const LocalMoments& behind) {
-        return (before.count < smallest_ || behind.count < smallest_ ? none : before.residual () + behind.residual ());
+        return (before.count () < smallest_ || behind.count () < smallest_ ? none : before.residual () + behind.residual ());
       },
       best);
   }

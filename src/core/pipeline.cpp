@@ -15,6 +15,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <mutex>
 #include <thread>
 
 namespace pcl_attention
@@ -63,16 +64,20 @@ exceptionOf (const Work& work)
 OrientedBox
 fitBox (const OrganizedCloud& cloud, const pcl::Indices& indices, const Eigen::Vector3f& upright)
 {
+  const auto count = static_cast<float> (indices.size ());
+  const Eigen::Vector3f first = pointAt (cloud, indices.front ()); // near the others, so that sums of floats stay exact enough
   Eigen::Vector3f mean = Eigen::Vector3f::Zero ();
   for (const pcl::index_t index : indices)
-    mean += pointAt (cloud, index) / static_cast<float> (indices.size ());
+    mean += pointAt (cloud, index) - first;
+  mean = first + mean / count;
   Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero ();
   for (const pcl::index_t index : indices)
   {
     Eigen::Vector3f difference = pointAt (cloud, index) - mean;
     difference -= upright * upright.dot (difference);
-    covariance += difference * difference.transpose () / static_cast<float> (indices.size ());
+    covariance += difference * difference.transpose ();
   }
+  covariance /= count;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver (covariance);
   Eigen::Matrix3f axes;
   axes.col (0) = upright.isZero () ? Eigen::Vector3f (solver.eigenvectors ().col (0)) : upright;
@@ -201,6 +206,7 @@ AttentionPipeline::restart ()
   queue_.clear ();
   next_point_ = 0;
   waiting_.clear ();
+  grown_ahead_.clear ();
   queue_filled_ = false;
   claimed_.assign (cloud_.size (), 0);
   segments_found_ = 0;
@@ -462,7 +468,8 @@ AttentionPipeline::prepareObjects ()
       patch_error = exceptionOf ([&] {
         clustering ();
         const StageTimer piece_timer (times_.segmentation);
-        clustering_->growAhead ([&] { return (points_are_there && !expects_all_); });
+        if (parameters_.clustering.joinsPieces ()) // else only what a fixation leads to is grown
+          clustering_->growAhead ([&] { return (points_are_there && !expects_all_); });
       });
       point_error = exceptionOf ([this] { attentionPoints (); });
       points_are_there = true;
@@ -477,6 +484,8 @@ AttentionPipeline::prepareObjects ()
 void
 AttentionPipeline::fillQueue ()
 {
+  if (queue_filled_)
+    return;
   prepareObjects ();
   preparePatches ();
   queue_ = attentionPoints ().points;
@@ -492,6 +501,7 @@ AttentionPipeline::fillQueue ()
   }
   // What is asked for comes first even where it is not salient at all.
   sortByWeight (queue_);
+  queue_filled_ = true;
 }
 
 std::vector<AttentionPoint>
@@ -604,8 +614,12 @@ AttentionPipeline::all (std::vector<AttentionSegment>& segments)
 {
   segments.clear ();
   expects_all_ = true;
+  fillQueue ();
+  if (threads_ > 1)
+    growAhead ();
   for (AttentionSegment segment; find (segment);)
     segments.push_back (std::move (segment));
+  grown_ahead_.clear ();
   const StageTimer timer (times_.segmentation);
   forEachBand (static_cast<int> (segments.size ()), 1, threads_, [&] (int place, int) {
     moveInside (segments[place]);
@@ -616,11 +630,7 @@ AttentionPipeline::all (std::vector<AttentionSegment>& segments)
 bool
 AttentionPipeline::find (AttentionSegment& segment)
 {
-  if (!queue_filled_)
-  {
-    fillQueue ();
-    queue_filled_ = true;
-  }
+  fillQueue ();
   while (true)
   {
     const auto best = std::max_element (waiting_.begin (), waiting_.end (), [] (const Waiting& a, const Waiting& b) {
@@ -653,6 +663,52 @@ AttentionPipeline::find (AttentionSegment& segment)
 }
 
 void
+AttentionPipeline::growAhead ()
+{
+  CompactClustering& grower = clustering ();
+  const StageTimer timer (times_.segmentation);
+  std::atomic<std::size_t> next_place{next_point_};
+  std::mutex mutex; // of what the threads share
+  std::vector<std::uint8_t> taken (patches_->patches.size () + 1, 0); // at [label]
+  const auto take = [&taken] (const std::vector<int>& labels) {
+    bool is_new = false;
+    for (const int label : labels)
+    {
+      is_new = is_new || !taken[label];
+      taken[label] = 1;
+    }
+    return (is_new);
+  };
+  const auto growNext = [&] (std::size_t place) {
+    const AttentionPoint& point = queue_[place];
+    const std::vector<int> initial = isInhibited (point) ? std::vector<int> () : grower.initialPatches (point);
+    {
+      const std::lock_guard<std::mutex> lock (mutex);
+      if (!take (initial) && avoidsReturn (point))
+        return; // most likely on an object that is grown already
+    }
+    AttentionSegment segment;
+    if (!grower.grow (point, initial, segment))
+      return;
+    const std::lock_guard<std::mutex> lock (mutex);
+    take (segment.patches);
+    grown_ahead_.emplace (place, std::move (segment));
+  };
+  std::exception_ptr error;
+#pragma omp parallel num_threads(threads_)
+#pragma omp single
+  error = exceptionOf ([&] {
+    grower.growAhead ([] { return (false); });
+    forEachBand (threads_, 1, threads_, [&] (int, int) {
+      for (std::size_t place; (place = next_place++) < queue_.size ();)
+        growNext (place);
+    });
+  });
+  if (error)
+    std::rethrow_exception (error);
+}
+
+void
 AttentionPipeline::growAt (std::size_t place)
 {
   const AttentionPoint& point = queue_[place];
@@ -677,7 +733,9 @@ AttentionPipeline::growAt (std::size_t place)
         return (waiting.others.push_back (place));
   }
   AttentionSegment segment;
-  if (!grower.grow (point, initial, segment))
+  if (const auto ahead = grown_ahead_.find (place); ahead != grown_ahead_.end ())
+    segment = std::move (ahead->second);
+  else if (!grower.grow (point, initial, segment))
     return;
   const float area = frontalArea (segment);
   if (isLargeEnough (segment, area))

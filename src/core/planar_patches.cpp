@@ -146,7 +146,8 @@ collectPixels (const std::vector<PatchSums>& sums, PlanarPatches& result)
 /** \brief \ref reassignLeftOvers for patches whose pixels are still to be collected.
   * \param[in,out] sums of the patches, and then with what they got */
 void
-assignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPatches& patches, std::vector<PatchSums>& sums)
+assignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, int threads, PlanarPatches& patches,
+                 std::vector<PatchSums>& sums)
 {
   constexpr float farthest_deviation = 2.0f; // a curved patch is no plane
   Image<int>& labels = patches.labels;
@@ -173,29 +174,35 @@ assignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPatc
     }
     return (best);
   };
+  const auto isFree = [&] (int index) { return (cloud.valid[index] && !labels[index]); };
   for (int index = 0; index < static_cast<int> (cloud.size ()); ++index)
-    if (cloud.valid[index] && !labels[index])
+    if (isFree (index))
       front.push_back (index);
   while (!front.empty ())
   {
-    std::vector<std::pair<int, int>> assigned;
-    std::vector<int> rest;
-    for (const int index : front)
-    {
-      const int label = bestNeighbor (index);
-      if (label)
-        assigned.emplace_back (index, label);
-      else
-        rest.push_back (index);
-    }
-    for (const auto& [index, label] : assigned)
-    {
-      labels[index] = label;
-      sums[label - 1].add (cloud, index, index + 1);
-    }
-    if (assigned.empty ())
-      break;
-    front = std::move (rest);
+    std::vector<int> best (front.size ());
+    constexpr int together = 1024;
+    forEachBand (static_cast<int> (front.size ()), together, threads, [&] (int begin, int end) {
+      std::transform (front.begin () + begin, front.begin () + end, best.begin () + begin, bestNeighbor);
+    });
+    std::vector<int> beside; // only what lies beside a new one may find more than before
+    for (std::size_t i = 0; i < front.size (); ++i)
+      if (best[i])
+      {
+        labels[front[i]] = best[i];
+        sums[best[i] - 1].add (cloud, front[i], front[i] + 1);
+      }
+    for (std::size_t i = 0; i < front.size (); ++i)
+      if (best[i])
+        for (const auto& offset : four_neighbors)
+        {
+          const int column = front[i] % cloud.width + offset[0], row = front[i] / cloud.width + offset[1];
+          if (labels.contains (column, row) && isFree (row * cloud.width + column))
+            beside.push_back (row * cloud.width + column);
+        }
+    std::sort (beside.begin (), beside.end ());
+    beside.erase (std::unique (beside.begin (), beside.end ()), beside.end ());
+    front = std::move (beside);
   }
   fitPlanes (sums, patches.patches);
 }
@@ -206,7 +213,7 @@ void
 reassignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, PlanarPatches& patches)
 {
   std::vector<PatchSums> sums = sumsOf (cloud, patches.labels, 1);
-  assignLeftOvers (cloud, maximum_distance, patches, sums);
+  assignLeftOvers (cloud, maximum_distance, 1, patches, sums);
   collectPixels (sums, patches);
 }
 
@@ -228,7 +235,7 @@ extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, I
   std::vector<PatchSums> sums = sumsOf (cloud, result.labels, threads);
   fitPlanes (sums, result.patches);
   if (parameters.reassign_distance > 0.0f)
-    assignLeftOvers (cloud, parameters.reassign_distance, result, sums);
+    assignLeftOvers (cloud, parameters.reassign_distance, threads, result, sums);
   collectPixels (sums, result);
 }
 

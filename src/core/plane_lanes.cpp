@@ -28,6 +28,41 @@ product (const float (&a)[3], const LaneVector& b)
   return (a[0] * b.x + (a[1] * b.y + a[2] * b.z));
 }
 
+/** \brief The least of what is made of a point's heights over all planes. */
+template <typename Make> inline void
+leastOverPlanes (const PointArrays& points, std::size_t count, const FlatPlane* planes, std::size_t plane_count, float* values,
+                 const Make& make)
+{
+  // Some at a time, so that a plane is read once for all of them and no minimum waits for the one before.
+  constexpr int together = 4;
+  for (std::size_t begin = 0; begin < count; begin += together * lane_count)
+  {
+    LaneVector position[together];
+    Lanes least[together];
+    const auto indexOf = [&] (int k) {
+      const std::size_t index = begin + k * lane_count;
+      return (index < count ? index : count);
+    };
+    const auto lanesOf = [&] (int k) {
+      const std::size_t left = count - indexOf (k);
+      return (left >= lane_count ? lane_count : static_cast<int> (left));
+    };
+    for (int k = 0; k < together; ++k)
+    {
+      const std::size_t index = indexOf (k);
+      const int lanes = lanesOf (k);
+      position[k] = {load (points.x + index, lanes), load (points.y + index, lanes), load (points.z + index, lanes)};
+      least[k] = broadcast (3.402823466e38f);
+    }
+    for (const FlatPlane* plane = planes; plane != planes + plane_count; ++plane)
+      for (int k = 0; k < together; ++k)
+        least[k] = minimum (make (plane->normal[0] * position[k].x + plane->normal[1] * position[k].y +
+                                  plane->normal[2] * position[k].z + plane->offset), least[k]);
+    for (int k = 0; k < together; ++k)
+      store (least[k], values + indexOf (k), lanesOf (k));
+  }
+}
+
 } // namespace
 
 void
@@ -84,33 +119,49 @@ pointsOver (const PointArrays& points, std::size_t count, const RoomTest& test, 
 void
 nearestPlane (const PointArrays& points, std::size_t count, const FlatPlane* planes, std::size_t plane_count, float* distances)
 {
-  // Some at a time, so that a plane is read once for all of them and no minimum waits for the one before.
-  constexpr int together = 4;
-  for (std::size_t begin = 0; begin < count; begin += together * lane_count)
+  leastOverPlanes (points, count, planes, plane_count, distances, [] (const Lanes& height) { return (absolute (height)); });
+}
+
+void
+lowestHeight (const PointArrays& points, std::size_t count, const FlatPlane* planes, std::size_t plane_count, float* heights)
+{
+  leastOverPlanes (points, count, planes, plane_count, heights, [] (const Lanes& height) { return (height); });
+}
+
+void
+farthestPoints (const PointArrays& points, std::size_t count, int* farthest)
+{
+  LaneMask lanes_in_order{};
+  for (int lane = 0; lane < lane_count; ++lane)
+    lanes_in_order[lane] = lane;
+  for (int direction = 0; direction < direction_count; ++direction)
   {
-    LaneVector position[together];
-    Lanes nearest[together];
-    const auto indexOf = [&] (int k) {
-      const std::size_t index = begin + k * lane_count;
-      return (index < count ? index : count);
-    };
-    const auto lanesOf = [&] (int k) {
-      const std::size_t left = count - indexOf (k);
-      return (left >= lane_count ? lane_count : static_cast<int> (left));
-    };
-    for (int k = 0; k < together; ++k)
+    const auto x = static_cast<float> (direction / 9 - 1), y = static_cast<float> (direction / 3 % 3 - 1),
+               z = static_cast<float> (direction % 3 - 1);
+    Lanes most = broadcast (-3.402823466e38f), least = -most;
+    LaneMask most_at{}, least_at{};
+    for (std::size_t index = 0; index < count; index += lane_count)
     {
-      const std::size_t index = indexOf (k);
-      const int lanes = lanesOf (k);
-      position[k] = {load (points.x + index, lanes), load (points.y + index, lanes), load (points.z + index, lanes)};
-      nearest[k] = broadcast (3.402823466e38f);
+      const int lanes = count - index >= lane_count ? lane_count : static_cast<int> (count - index);
+      const Lanes reach = x * load (points.x + index, lanes) + y * load (points.y + index, lanes) + z * load (points.z + index, lanes);
+      const LaneMask place = lanes_in_order + static_cast<std::int32_t> (index);
+      const LaneMask is_point = lanes_in_order < lanes;
+      const LaneMask is_more = (reach > most) & is_point, is_less = (reach < least) & is_point;
+      most = select (is_more, reach, most);
+      least = select (is_less, reach, least);
+      most_at = is_more ? place : most_at;
+      least_at = is_less ? place : least_at;
     }
-    for (const FlatPlane* plane = planes; plane != planes + plane_count; ++plane)
-      for (int k = 0; k < together; ++k)
-        nearest[k] = minimum (absolute (plane->normal[0] * position[k].x + plane->normal[1] * position[k].y +
-                                        plane->normal[2] * position[k].z + plane->offset), nearest[k]);
-    for (int k = 0; k < together; ++k)
-      store (nearest[k], distances + indexOf (k), lanesOf (k));
+    int best = 0, worst = 0; // lanes; of those as far the first point
+    for (int lane = 1; lane < lane_count; ++lane)
+    {
+      if (most[lane] > most[best] || (most[lane] == most[best] && most_at[lane] < most_at[best]))
+        best = lane;
+      if (least[lane] < least[worst] || (least[lane] == least[worst] && least_at[lane] < least_at[worst]))
+        worst = lane;
+    }
+    farthest[direction] = most_at[best];
+    farthest[2 * direction_count - 1 - direction] = least_at[worst];
   }
 }
 

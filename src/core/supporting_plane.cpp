@@ -241,16 +241,15 @@ dropIslands (const OrganizedCloud& cloud, pcl::Indices& indices)
   Image<int> components;
   const int count = labelConnectedComponents (mask, components);
   std::vector<int> sizes (count + 1, 0), contour (count + 1, 0), touching (count + 1, 0);
-  int row = 0;
-  for (const pcl::index_t index : indices) // ascending
+  for (const pcl::index_t index : indices)
+    ++sizes[components[index]];
+  const int largest = static_cast<int> (std::max_element (sizes.begin (), sizes.end ()) - sizes.begin ());
+  for (const pcl::index_t index : indices)
   {
-    while (index >= (row + 1) * cloud.width)
-      ++row;
-    const int column = index - row * cloud.width, component = components[index];
-    ++sizes[component];
-    if (column > 0 && column < cloud.width - 1 && row > 0 && row < cloud.height - 1 && mask[index - 1] && mask[index + 1] &&
-        mask[index - cloud.width] && mask[index + cloud.width])
-      continue;
+    const int component = components[index];
+    if (component == largest)
+      continue; // which stays
+    const int column = index % cloud.width, row = index / cloud.width;
     for (const auto& [c, r] : {std::pair<int, int> (column + 1, row), {column - 1, row}, {column, row + 1}, {column, row - 1}})
       if (!mask.contains (c, r) || !mask (c, r))
       {
@@ -260,14 +259,12 @@ dropIslands (const OrganizedCloud& cloud, pcl::Indices& indices)
                                (pointAt (cloud, other) - pointAt (cloud, index)).norm () < touching_distance;
       }
   }
-  const int largest = static_cast<int> (std::max_element (sizes.begin (), sizes.end ()) - sizes.begin ());
+  std::vector<std::uint8_t> is_island (count + 1);
+  for (int component = 0; component <= count; ++component)
+    is_island[component] = component != largest && (sizes[component] < smallest ||
+                                                    touching[component] > touching_share * contour[component]);
   indices.erase (std::remove_if (indices.begin (), indices.end (),
-                                 [&] (pcl::index_t index) {
-                                   const int component = components[index];
-                                   return (component != largest &&
-                                           (sizes[component] < smallest ||
-                                            touching[component] > touching_share * contour[component]));
-                                 }),
+                                 [&] (pcl::index_t index) { return (is_island[components[index]] != 0); }),
                  indices.end ());
 }
 

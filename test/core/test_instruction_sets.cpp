@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every instruction set and every number of threads gives the same bits.
 #include "../../src/core/instruction_set.h"
+#include "../../src/core/object_hull.h"
 #include "shapes.h"
 #include <pcl_attention/core/pipeline.h>
 #include <pcl_attention/core/pyramid.h>
@@ -25,6 +26,7 @@ struct Results
   SaliencyMaps saliency;
   std::vector<SupportingPlane> planes;
   std::vector<std::uint8_t> over;
+  std::vector<Eigen::Vector3f> corners; /**< of the hull of all points */
 };
 
 Results
@@ -39,6 +41,13 @@ resultsOf (const OrganizedCloud& cloud, const AttentionParameters& parameters, i
     cloud, results.normals, coarserLevels (cloud, results.normals, supportLevels (cloud.width), threads), parameters.support);
   if (!results.planes.empty ())
     results.over = findPointsOver (cloud, results.planes.front ());
+  std::vector<Eigen::Vector3f> points;
+  for (std::size_t index = 0; index < cloud.size (); ++index)
+    if (cloud.valid[index])
+      points.emplace_back (cloud.x[index], cloud.y[index], cloud.z[index]);
+  GrowingHull hull{HullGrid (cloud)};
+  hull.add (points);
+  results.corners = hull.vertices ();
   return (results);
 }
 
@@ -65,6 +74,7 @@ expectSame (const Results& a, const Results& b)
     EXPECT_EQ (a.planes[k].coefficients, b.planes[k].coefficients);
   }
   EXPECT_EQ (a.over, b.over);
+  EXPECT_EQ (a.corners, b.corners);
 }
 
 /** \brief Sizes that no number of lanes divides, holes, and surfaces so exact that samples lie on the planes of symmetry. */
@@ -126,12 +136,17 @@ TEST_F (InstructionSets, BeginWithTheBaselineAndRefuseOthers)
 
 TEST_F (InstructionSets, StagesBesideEachOtherGiveTheSameObjects)
 {
-  for (const auto kind : {SceneKind::clutter, SceneKind::occluded})
+  AttentionParameters pieces, all_points;
+  pieces.visiblePieces ();
+  all_points.segmentation.inhibition_of_return = false;
+  for (const auto& [kind, parameters] : {std::pair<SceneKind, AttentionParameters> (SceneKind::clutter, AttentionParameters ()),
+                                         {SceneKind::occluded, AttentionParameters ()}, {SceneKind::clutter, pieces},
+                                         {SceneKind::cylinders, all_points}, {SceneKind::occluded, AttentionParameters::paper ()}})
   {
     const OrganizedCloud cloud = shapes::rendered (kind, 5, 320, 240, 1.0).cloud;
-    const auto segmentsOf = [&cloud] (int threads, bool all) {
+    const auto segmentsOf = [&] (int threads, bool all) {
       AttentionPipeline pipeline;
-      pipeline.start (OrganizedCloud (cloud), Eigen::Isometry3f::Identity (), AttentionParameters (), threads);
+      pipeline.start (OrganizedCloud (cloud), Eigen::Isometry3f::Identity (), parameters, threads);
       std::vector<AttentionSegment> segments;
       if (all)
         pipeline.all (segments);

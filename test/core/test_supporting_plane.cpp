@@ -151,6 +151,29 @@ TEST (SupportingPlanes, AWallBehindATableIsNotWhatTheTableStandsOn)
   EXPECT_EQ (planes.front ().confidence, 1.0f);
 }
 
+TEST (SupportingPlanes, LeaveOutSpecksOfThemInAHole)
+{
+  // The box's depth is missing but for some pixels as far as the table: seven by seven, and nine by nine.
+  Step scene (1.0, middle, 0.9);
+  constexpr Rectangle speck{64, 44, 70, 50}, piece{80, 60, 88, 68};
+  const shapes::Camera camera{width, height, 120.0};
+  pcl::Indices expected;
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+    {
+      const std::size_t index = scene.frame.index (column, row);
+      if (speck.contains (column, row) || piece.contains (column, row))
+        scene.frame.set (index, camera.ray (column, row), {0, 0, -1});
+      else if (middle.contains (column, row))
+        scene.frame.cloud.valid[index] = scene.frame.normals.valid[index] = 0;
+      if (piece.contains (column, row) || !middle.contains (column, row))
+        expected.push_back (static_cast<pcl::index_t> (index));
+    }
+  const std::vector<SupportingPlane> planes = scene.planes ();
+  ASSERT_EQ (planes.size (), 1u);
+  EXPECT_EQ (planes.front ().indices, expected);
+}
+
 TEST (PointsOver, AreAboveThePlaneUpToHalfAMetreWithTheirFeetOnIt)
 {
   Step scene (1.0, middle, 1.0);

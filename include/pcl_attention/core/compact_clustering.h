@@ -17,6 +17,7 @@ namespace pcl_attention
 
 class ObjectHull;
 struct HullGrid;
+struct RowSpans;
 
 /** \brief Which patches an object starts with (paper IV-B: "all patches bordering this point with a 5 pixel radius"). */
 enum class InitialPatches
@@ -177,9 +178,6 @@ private:
     Eigen::Vector3f point, normal;
     float weight; /**< pixels it stands for */
   };
-
-  /** \brief Of every row the first column and the one behind the last. */
-  using RowSpans = std::vector<std::pair<int, int>>;
 
   struct Piece;
 
@@ -359,6 +357,7 @@ private:
   const float depth_noise_;  /**< standard deviation at 1 m, metres */
   const std::unique_ptr<HullGrid> hull_grid_;
   std::vector<std::vector<Sample>> samples_;                /**< of label k at [k] */
+  std::vector<RowSpans> rows_;                              /**< of label k at [k] */
   std::vector<std::unique_ptr<ObjectHull>> hulls_;          /**< of label k at [k]; null until asked for */
   std::vector<const Piece*> piece_of_;                      /**< of label k at [k], in the partition; null until known */
   std::vector<int> seeds_;                                  /**< labels, the largest patch first */

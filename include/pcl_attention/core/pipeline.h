@@ -8,6 +8,7 @@
 #include <pcl_attention/core/saliency.h>
 #include <pcl_attention/core/supporting_plane.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -257,6 +258,9 @@ private:
   /** \brief 0..1: a fragment that happens to be salient does not come before the objects. */
   float
   sizeWeight (float area) const;
+  /** \brief Grow at points of the queue side by side what \ref growAt will most likely need. The results do not depend on it. */
+  void
+  growAhead ();
   /** \brief Segment at a point of the queue; what is found waits for its turn. */
   void
   growAt (std::size_t place);
@@ -305,6 +309,7 @@ private:
   bool queue_filled_{false};
   bool points_are_users_{false}; /**< the order is the user's as well */
   std::vector<Waiting> waiting_; /**< in the order of their points */
+  std::map<std::size_t, AttentionSegment> grown_ahead_; /**< at a place of the queue */
   std::vector<std::uint8_t> claimed_; /**< 1 where a segment was found */
   int segments_found_{0};
   bool expects_all_{false}; /**< so that what is worked out ahead is not in vain */
