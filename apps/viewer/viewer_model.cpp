@@ -80,10 +80,11 @@ describeStep (const GrowthStep& step)
     return (patch + " accepted\n" + format ("compactness %.1f mm, under %.1f mm", 1e3 * value, 1e3 * limit));
   case GrowthConstraint::connection:
     return (patch + " refused by connection\n" +
-            format ("%.0f %% of the border touch, %.0f %% needed", 1e2 * value, 1e2 * limit));
+            format ("%.0f %% connected, %.0f %% needed", 1e2 * value, 1e2 * limit));
   case GrowthConstraint::convexity:
     return (patch + " refused by convexity\n" +
-            format ("%.2f, at least %.2f: short by %.2f", value, limit, limit - value));
+            (value < limit ? format ("%.2f, at least %.2f: short by %.2f", value, limit, limit - value)
+                           : format ("%.2f, at most %.2f at the rim of an inside", value, limit)));
   case GrowthConstraint::color:
     return (patch + " refused by colour\n" + format ("%.2f from the object, %.2f from the rest", value, limit));
   case GrowthConstraint::compactness:

@@ -388,6 +388,17 @@ CompactClustering::isOneInside (const Piece& piece, int label, const PatchBorder
   return (of_both > surrounded && of_both > std::max (piece.hollowness, of_patch));
 }
 
+float
+CompactClustering::contactOf (int label, const PatchBorder& border, const Piece& piece) const
+{
+  int of_patch = 0, of_piece = 0; // contour pairs; towards a hole in the depth there may be anything
+  for (const int neighbor : graph_.neighbors[label])
+    of_patch += graph_.border (label, neighbor).pairs;
+  for (const auto& neighbor : piece.borders)
+    of_piece += neighbor.second.pairs;
+  return (static_cast<float> (border.connected) / static_cast<float> (std::max (1, std::min (of_patch, of_piece))));
+}
+
 GrowthStep
 CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
                              ObjectHull& united)
@@ -406,23 +417,37 @@ CompactClustering::tryPatch (int label, const PatchBorder& border, Piece& piece,
     return (refuse (GrowthConstraint::connection, border.connectedShare (), parameters_.minimum_connection));
 
   const float contrast = colorContrast (piece.colors, colors_[label]);
+  const int patch_pixels = static_cast<int> (patches_.patches[label - 1].pixels.size ());
+  // A small patch is of no other object.
+  if (const float needed = parameters_.color_contact * contrast;
+      needed > 0.0f && large_share * std::min (piece.pixels, patch_pixels) >= std::max (piece.pixels, patch_pixels))
+  {
+    const float contact = contactOf (label, border, piece);
+    if (contact < needed)
+      return (refuse (GrowthConstraint::connection, contact, needed));
+  }
   bool hollow = false;
   if (parameters_.minimum_convexity > -2.0f)
   {
     float limit = parameters_.minimum_convexity;
     if (parameters_.recognize_hollows)
     {
-      const int pixels = std::min (piece.pixels, static_cast<int> (patches_.patches[label - 1].pixels.size ()));
-      const auto [less, more] = std::minmax ({piece.hollowness, patchHollowness (label)});
+      const float of_patch = patchHollowness (label);
+      const auto [less, more] = std::minmax (piece.hollowness, of_patch);
       hollow = less > parameters_.minimum_hollowness;
       const bool is_floor = parameters_.separate_floors &&
                             (isPlane (label) || (piece.patches.size () == 1 && isPlane (piece.patches.front ())));
       if (hollow && !is_floor)
         limit = std::min (limit, -0.7f);
-      const bool inside_and_outside =
-        more > parameters_.certain_hollowness && less < -parameters_.certain_hollowness && pixels >= parameters_.certain_size;
+      const bool inside_and_outside = more > parameters_.certain_hollowness && less < -parameters_.certain_hollowness &&
+                                      std::min (piece.pixels, patch_pixels) >= parameters_.certain_size;
       if (inside_and_outside)
         return (refuse (GrowthConstraint::convexity, -2.0f, limit));
+      const auto isInside = [this] (float hollowness, int pixels) {
+        return (hollowness > parameters_.certain_hollowness && pixels >= parameters_.certain_size);
+      };
+      if (border.convexity () > parameters_.rim_convexity && (isInside (piece.hollowness, piece.pixels) || isInside (of_patch, patch_pixels)))
+        return (refuse (GrowthConstraint::convexity, border.convexity (), parameters_.rim_convexity));
     }
     limit += parameters_.color_convexity * contrast;
     if (border.convexity () < limit)
@@ -769,7 +794,8 @@ CompactClustering::goesOnIn (const Piece& piece, const Piece& other, bool look_a
         continue;
       if (!inOnePlane (a, b))
         return (false);
-      faces.push_back (a.normal);
+      if (static_cast<int> (std::min (a.pixels.size (), b.pixels.size ())) >= parameters_.certain_size)
+        faces.push_back (a.normal);
     }
   return (look_alike ? !faces.empty () : std::any_of (faces.begin (), faces.end (), [&] (const Eigen::Vector3f& face) {
     return (std::abs (face.dot (faces.front ())) < across_each_other);
@@ -824,8 +850,8 @@ CompactClustering::joinPiece (Piece& object)
   for (const int label : seeds_)
   {
     const PlanarPatch& patch = patches_.patches[label - 1];
-    if (large_share * static_cast<int> (patch.pixels.size ()) < parameters_.certain_size)
-      break; // nor are the smaller ones that follow large in a piece that counts
+    if (static_cast<int> (patch.pixels.size ()) < parameters_.certain_size)
+      break; // nor do the smaller ones that follow tell that a face goes on
     if ((patch.centroid - center).norm () <= parameters_.occluded_distance &&
         std::any_of (large.begin (), large.end (), [&] (int own) {
           return (areParallel (patches_.patches[own - 1], patch) && inOnePlane (patches_.patches[own - 1], patch));

@@ -207,6 +207,8 @@ makeTable ()
              "how much more convexity differing colours ask for, and like colours spare")
     .number ("color_compactness", &ClusteringParameters::color_compactness, 0, 1, "share", "",
              "how much smaller the compactness threshold is for other colours")
+    .number ("color_contact", &ClusteringParameters::color_contact, 0, 1, "share", "",
+             "of the shorter outline over which a large patch of other colours has to be connected")
     .toggle ("recognize_hollows", &ClusteringParameters::recognize_hollows, "",
              "patches that curve inwards together are one hollow, concave as their borders are")
     .number ("minimum_hollowness", &ClusteringParameters::minimum_hollowness, -1, 1, "", "",
@@ -217,6 +219,8 @@ makeTable ()
              "the same of what is the inside of a bowl for certain, its negative of an outside")
     .number ("certain_size", &ClusteringParameters::certain_size, 1, 1000000, "pixels", "",
              "the shape of fewer pixels says nothing")
+    .number ("rim_convexity", &ClusteringParameters::rim_convexity, -2, 2, "", "",
+             "where a border is more convex, the inside of a hollow turns over its rim and ends; 2: off")
     .number ("surface_tolerance", &ClusteringParameters::surface_tolerance, 0, 1, "m", "",
              "of the points of a rim from its plane, and of planes that go on behind an occluder from each other")
     .number ("handle_width", &ClusteringParameters::handle_width, 0, 1, "m", "", "what is wider is no handle")

@@ -131,6 +131,7 @@ AttentionParameters::paper ()
   parameters.clustering.stay_off_support = false;
   parameters.clustering.color_convexity = 0.0f;
   parameters.clustering.color_compactness = 0.0f;
+  parameters.clustering.color_contact = 0.0f;
   parameters.clustering.recognize_hollows = false;
   parameters.clustering.contour_width = 0;
   parameters.clustering.visiblePieces ();

@@ -452,6 +452,78 @@ TEST (CompactClustering, TheFlatFloorOfAHollowMayBeAPieceOfItsOwn)
   }), both) << "no crease that other patches would not be joined over";
 }
 
+TEST (CompactClustering, AnInsideEndsWhereItTurnsOverItsRim)
+{
+  // Half a pipe on the left, whose normals lean inwards by up to 43 degrees; on the right it falls away by 60 degrees.
+  Frame frame = shapes::emptyFrame (64, 48);
+  Image<int> labels (64, 48, 1);
+  const double slope = std::tan (3.14159265358979 / 3.0);
+  for (int row = 0; row < 48; ++row)
+    for (int column = 0; column < 64; ++column)
+    {
+      const double x = 0.001 * (column - 31.5), y = 0.001 * (row - 23.5);
+      const bool behind = x > 0.0;
+      labels (column, row) = behind ? 2 : 1;
+      frame.set (frame.index (column, row), {x, y, 0.8 - 20.0 * y * y + (behind ? slope * x : 0.0)},
+                 Vector3d (behind ? slope : 0.0, behind ? 0.0 : -40.0 * y, -1).normalized ());
+    }
+  const Case scene (frame, labels);
+  ClusteringParameters parameters = plain ();
+  parameters.minimum_convexity = -0.2f;
+  parameters.compactness_threshold = 0.1f;
+  parameters.recognize_hollows = true;
+  const auto patchesFrom = [&] (int column) { return (sorted (scene.grow (column, 24, parameters).patches)); };
+  const std::vector<int> both{1, 2};
+  const AttentionSegment inside = scene.grow (10, 24, parameters);
+  EXPECT_EQ (inside.patches, std::vector<int>{1});
+  EXPECT_EQ (inside.growth_end, GrowthConstraint::convexity);
+  ASSERT_EQ (inside.steps.size (), 1u);
+  EXPECT_GT (inside.steps[0].value, inside.steps[0].limit);
+  EXPECT_EQ (inside.steps[0].limit, 0.5f);
+  EXPECT_EQ (patchesFrom (50), std::vector<int>{2});
+  parameters.certain_size = 2000;
+  EXPECT_EQ (patchesFrom (10), both) << "1536 pixels are too few to tell";
+  parameters.certain_size = 200;
+  parameters.rim_convexity = 2.0f;
+  EXPECT_EQ (patchesFrom (10), both);
+  parameters.rim_convexity = 0.5f;
+  parameters.recognize_hollows = false;
+  EXPECT_EQ (patchesFrom (10), both);
+}
+
+TEST (CompactClustering, OtherColoursHaveToBeConnectedOverMore)
+{
+  // Two patches that meet over 6 rows; below, one of another surface 20 cm behind lies between them. Pairs across a border of n pixels
+  // are n and 2 (n - 1) diagonal ones: 16 of the two patches, 148 and 160 of them and the third one, with a corner each. 16 / 164 = .098
+  // of the shorter outline are connected.
+  const auto patchesOf = [] (int columns, const std::vector<Color>& colors, float color_contact) {
+    Frame frame = shapes::emptyFrame (160, 48);
+    Image<int> labels (160, 48, 0);
+    for (int row = 0; row < 48; ++row)
+      for (int column = 0; column < 92 + columns; ++column)
+      {
+        const bool between = row >= 6 && column >= 72 && column < 92;
+        labels (column, row) = between ? 3 : column < 80 ? 1 : 2;
+        frame.set (frame.index (column, row), {0.001 * (column - 79.5), 0.001 * (row - 23.5), between ? 1.0 : 0.8}, {0, 0, -1});
+      }
+    Case scene (frame, labels);
+    scene.paint (colors);
+    ClusteringParameters parameters = plain ();
+    parameters.minimum_connection = 0.5f;
+    parameters.color_contact = color_contact;
+    return (sorted (scene.grow (10, 24, parameters).patches));
+  };
+  const std::vector<int> both{1, 2}, apart{1};
+  const std::vector<Color> alike{grey, red, red, grey}, different{grey, red, blue, grey};
+  EXPECT_EQ (patchesOf (20, different, 0.15f), apart);
+  EXPECT_EQ (patchesOf (20, different, 0.10f), apart);
+  EXPECT_EQ (patchesOf (20, different, 0.09f), both);
+  EXPECT_EQ (patchesOf (20, alike, 0.15f), both);
+  // 14 columns make 14 * 42 + 26 * 6 = 744 pixels of 3504, 13 columns 696: less than a fifth.
+  EXPECT_EQ (patchesOf (14, different, 0.15f), apart);
+  EXPECT_EQ (patchesOf (13, different, 0.15f), both);
+}
+
 TEST (CompactClustering, FlatHalvesOfAnInsideAreOneUnlessTheyMeetSquarely)
 {
   // Both sides are flat, so that neither surrounds anything. Together they do: of a point the part of the way to the middle that is along
@@ -588,25 +660,28 @@ TEST (CompactClustering, WhatGoesOnBehindAnOccluderHasNoSideSetBack)
 {
   // A bar before a front that bends back below a ridge; on the right of the bar the ridge is farther down, so that the fronts are in
   // one plane and the slopes under them 20 / sqrt (2) = 14 mm apart.
-  const auto patchesOf = [] (double shift) {
+  const auto patchesOf = [] (double shift, int certain_size) {
     Frame frame = shapes::emptyFrame (160, 48);
     Image<int> labels (160, 48, 0);
     for (int row = 0; row < 48; ++row)
       for (int column = 0; column < 160; ++column)
       {
-        const double x = 0.002 * (column - 79.5), y = 0.002 * (row - 23.5), below = y - (column < 80 ? 0.0 : shift);
-        const bool is_bar = column >= 74 && column < 86, is_slope = below > 0.0;
-        labels (column, row) = is_bar ? 5 : (column < 80 ? 1 : 3) + is_slope;
+        const double x = 0.002 * (column - 79.5), y = 0.002 * (row - 23.5), below = y - (column < 30 ? 0.0 : shift);
+        const bool is_bar = column >= 24 && column < 36, is_slope = below > 0.0;
+        labels (column, row) = is_bar ? 5 : (column < 30 ? 1 : 3) + is_slope;
         frame.set (frame.index (column, row), {x, y, is_bar ? 0.7 : 0.8 + std::max (0.0, below)},
                    Vector3d (0.0, is_slope && !is_bar ? 1.0 : 0.0, -1.0).normalized ());
       }
     ClusteringParameters parameters;
     parameters.compactness_threshold = 1.0f;
     parameters.join_handles = parameters.join_hollows = false;
+    parameters.certain_size = certain_size;
     return (sorted (Case (frame, labels).grow (10, 10, parameters).patches));
   };
-  EXPECT_EQ (patchesOf (0.0), (std::vector<int>{1, 2, 3, 4}));
-  EXPECT_EQ (patchesOf (0.02), (std::vector<int>{1, 2}));
+  EXPECT_EQ (patchesOf (0.0, 576), (std::vector<int>{1, 2, 3, 4}));
+  EXPECT_EQ (patchesOf (0.02, 200), (std::vector<int>{1, 2}));
+  // On the left both have 24 * 24 pixels.
+  EXPECT_EQ (patchesOf (0.0, 577), (std::vector<int>{1, 2})) << "too small to show a face that goes on";
 }
 
 TEST (CompactClustering, NoiseMayTurnTheEndsOfAFaceBehindAnOccluder)

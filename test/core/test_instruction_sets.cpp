@@ -144,7 +144,7 @@ TEST_F (InstructionSets, StagesBesideEachOtherGiveTheSameObjects)
                                          {SceneKind::cylinders, all_points}, {SceneKind::occluded, AttentionParameters::paper ()}})
   {
     const OrganizedCloud cloud = shapes::rendered (kind, 5, 320, 240, 1.0).cloud;
-    const auto segmentsOf = [&] (int threads, bool all) {
+    const auto segmentsOf = [&cloud, &parameters = parameters] (int threads, bool all) {
       AttentionPipeline pipeline;
       pipeline.start (OrganizedCloud (cloud), Eigen::Isometry3f::Identity (), parameters, threads);
       std::vector<AttentionSegment> segments;

@@ -139,8 +139,8 @@ TEST (SupportingPlanes, AWallBehindATableIsNotWhatTheTableStandsOn)
     for (int column = 0; column < width; ++column)
     {
       const Vector3d ray ((column - 79.5) / 120.0, (row - 59.5) / 120.0, 1.0);
-      const double height = middle.contains (column, row - 25) ? 0.05 : 0.0;
-      const double depth = (up.dot (Vector3d (0, 0.1, 1)) + height) / up.dot (ray);
+      const double rise = middle.contains (column, row - 25) ? 0.05 : 0.0;
+      const double depth = (up.dot (Vector3d (0, 0.1, 1)) + rise) / up.dot (ray);
       const bool is_table = depth > 0.0 && depth < 1.2;
       scene.set (scene.index (column, row), ray * (is_table ? depth : 1.3), is_table ? up : towards_viewer);
     }

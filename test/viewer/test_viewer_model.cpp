@@ -184,9 +184,11 @@ TEST (ViewerTexts, sayByWhichConstraintAndHowMuch)
   EXPECT_EQ (step (GrowthConstraint::compactness, 0.0072f, 0.005f),
              "Patch 7 refused by compactness\n7.2 mm, under 5.0 mm: 2.2 mm too much");
   EXPECT_EQ (step (GrowthConstraint::connection, 0.32f, 0.5f),
-             "Patch 7 refused by connection\n32 % of the border touch, 50 % needed");
+             "Patch 7 refused by connection\n32 % connected, 50 % needed");
   EXPECT_EQ (step (GrowthConstraint::convexity, -0.45f, -0.2f),
              "Patch 7 refused by convexity\n-0.45, at least -0.20: short by 0.25");
+  EXPECT_EQ (step (GrowthConstraint::convexity, 0.93f, 0.5f),
+             "Patch 7 refused by convexity\n0.93, at most 0.50 at the rim of an inside");
   EXPECT_EQ (step (GrowthConstraint::color, 0.61f, 0.42f),
              "Patch 7 refused by colour\n0.61 from the object, 0.42 from the rest");
   EXPECT_EQ (step (GrowthConstraint::support, 1.0f, 0.0f),

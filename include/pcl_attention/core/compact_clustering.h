@@ -52,6 +52,9 @@ struct ClusteringParameters
   float color_compactness{0.6f};      /**< share by which the compactness threshold is smaller where a patch has no colours in
                                         common with the object, 0..1; not where they are rather alike, see
                                         \ref colorContrast */
+  float color_contact{0.15f};         /**< share of the shorter outline, as far as it borders on patches, over which a patch with no
+                                        colours in common has to be connected, 0..1; less where they have some, none for a patch
+                                        that is a small part of the object, or the object of it */
   bool stay_off_support{true};        /**< patches of a supporting plane are not added */
   bool recognize_hollows{true};       /**< patches that curve inwards together are the inside of one hollow, concave as their
                                         borders are */
@@ -60,6 +63,8 @@ struct ClusteringParameters
                                         floor of a pot is; on with -parts */
   float certain_hollowness{0.15f};    /**< the same of what is the inside of a bowl or mug for certain, its negative of an outside */
   int certain_size{200};              /**< the shape of fewer pixels says nothing */
+  float rim_convexity{0.5f};          /**< of a border, -2 .. 2: where it is more convex, the inside of a hollow turns over its rim and
+                                        ends; 2: off */
   float surface_tolerance{0.01f};     /**< how far the points of one rim may lie off its plane (rms), and planes that go on behind an
                                         occluder off each other, metres; compactness_noise is added */
   float handle_width{0.02f};          /**< what is wider is no handle, metres */
@@ -94,7 +99,7 @@ struct ClusteringParameters
 enum class GrowthConstraint
 {
   none,        /**< every constraint held */
-  connection,  /**< too little of the border is connected in 3D */
+  connection,  /**< too little of the border, or of the outline where colours differ, is connected in 3D */
   convexity,   /**< the border is concave */
   color,       /**< paper eq. 11 and 12 */
   compactness, /**< paper eq. 13 and 14 */
@@ -217,6 +222,10 @@ private:
   bool
   isOneInside (const Piece& piece, int label, const PatchBorder& border);
 
+  /** \brief Share of the shorter outline of a patch and a piece, as far as it borders on patches, that is connected. */
+  float
+  contactOf (int label, const PatchBorder& border, const Piece& piece) const;
+
   /** \brief Ask all constraints about a patch.
     * \param[in] border from the piece to the patch
     * \param[out] united hull of the piece with the patch, if it can be added */
@@ -333,7 +342,7 @@ private:
   /** \brief Whether two parallel patches lie in one plane. */
   bool
   inOnePlane (const PlanarPatch& first, const PlanarPatch& second) const;
-  /** \brief Whether a large patch of one piece goes on in one of the other, and none is set off from one that it is parallel to.
+  /** \brief Whether a large patch of one piece that shows a shape goes on in one of the other, and none is set off from one that it is parallel to.
     * \param[in] look_alike of the two; if they do not, two faces that are about square to each other must go on */
   bool
   goesOnIn (const Piece& piece, const Piece& other, bool look_alike) const;
