@@ -342,7 +342,7 @@ private:
   /** \brief Whether two parallel patches lie in one plane. */
   bool
   inOnePlane (const PlanarPatch& first, const PlanarPatch& second) const;
-  /** \brief Whether a large patch of one piece that shows a shape goes on in one of the other, and none is set off from one that it is parallel to.
+  /** \brief Whether a large patch that shows a shape goes on in one of the other piece, and none is set off from one parallel to it.
     * \param[in] look_alike of the two; if they do not, two faces that are about square to each other must go on */
   bool
   goesOnIn (const Piece& piece, const Piece& other, bool look_alike) const;
