@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "flat_points.h"
 #include "instruction_set.h"
 #include "object_hull.h"
 
@@ -9,35 +10,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace pcl_attention
 {
 
 namespace
 {
-
-/** \brief Points in arrays. Coordinates on the grid and sums of three of them are whole numbers that a float holds. */
-class FlatPoints
-{
-public:
-  FlatPoints (const Eigen::Vector3d* points, std::size_t count)
-  : coordinates_ (Eigen::Map<const Eigen::Matrix3Xd> (points->data (), 3, static_cast<Eigen::Index> (count)).transpose ().cast<float> ())
-  {
-  }
-
-  std::size_t
-  size () const { return (static_cast<std::size_t> (coordinates_.rows ())); }
-
-  PointArrays
-  arrays () const
-  {
-    return {coordinates_.col (0).data (), coordinates_.col (1).data (), coordinates_.col (2).data (), nullptr, nullptr, nullptr, nullptr};
-  }
-
-private:
-  Eigen::MatrixX3f coordinates_;
-};
 
 /** \brief Points farthest out in some directions come first: what lies between them is then inside and costs no change.
   * \param[out] extremes how many those are */
@@ -110,6 +88,7 @@ GrowingHull::addOnGrid (const std::vector<Eigen::Vector3d>& points)
   points_.insert (points_.end (), points.begin (), points.end ());
   if (facets_.size () == 0 && !startTetrahedron ())
     return;
+  // Coordinates on the grid and sums of three of them are whole numbers that a float holds.
   const FlatPoints flat (&points_[first], points_.size () - first);
   std::size_t extremes;
   const std::vector<int> order = extremesFirst (flat, extremes);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convex_hull.h"
+#include "flat_points.h"
 #include "instruction_set.h"
 
 #include <pcl_attention/core/visible_hull.h>
@@ -107,19 +108,12 @@ distanceToFaces (const Eigen::Vector3f& point, const std::vector<VisibleHull::Fa
 std::vector<float>
 distancesToPlanes (const std::vector<Eigen::Vector3f>& points, const std::vector<VisibleHull::Face>& faces)
 {
-  const std::size_t count = points.size ();
-  std::vector<float> x (count), y (count), z (count), nearest (count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    x[i] = points[i].x ();
-    y[i] = points[i].y ();
-    z[i] = points[i].z ();
-  }
+  const FlatPoints flat (points.data (), points.size ());
+  std::vector<float> nearest (flat.size ());
   std::vector<FlatPlane> planes;
   for (const VisibleHull::Face& face : faces)
     planes.push_back ({{face.normal.x (), face.normal.y (), face.normal.z ()}, face.offset});
-  const PointArrays arrays{x.data (), y.data (), z.data (), nullptr, nullptr, nullptr, nullptr};
-  laneKernels ().nearestPlane (arrays, count, planes.data (), planes.size (), nearest.data ());
+  laneKernels ().nearestPlane (flat.arrays (), flat.size (), planes.data (), planes.size (), nearest.data ());
   return (nearest);
 }
 
