@@ -147,16 +147,24 @@ checkPoint (const AttentionPoint& point, const pcl::PointCloud<PointT>& cloud)
   return ("");
 }
 
+struct NothingMore
+{
+  void
+  operator() (std::size_t, std::size_t) const
+  {}
+};
+
 /** \brief Gather points into flat arrays in the sensor frame. Those that are not finite, or that lie in or behind the
  * viewpoint, are not valid.
  * \param[in] position_at gives the point of an index, as anything with members x, y and z, in metres
  * \param[in] indices the points to take, the others are not valid; null takes all
  * \param[in,out] flat of the right size, whatever is in it
- * \param[in] threads 0: all processors */
-template <typename PositionAt>
+ * \param[in] threads 0: all processors
+ * \param[in] gather_more of a row, from its first index to the one behind its last, while its points are in the cache */
+template <typename PositionAt, typename GatherMore = NothingMore>
 void
 gatherPositions (const PositionAt& position_at, const pcl::Indices* indices, const Eigen::Isometry3f& sensor_pose,
-                 OrganizedCloud& flat, int threads = 1)
+                 OrganizedCloud& flat, int threads = 1, const GatherMore& gather_more = GatherMore ())
 {
   const Eigen::Isometry3f to_sensor = sensor_pose.inverse ();
   const bool moved = !to_sensor.matrix ().isIdentity (0.0f);
@@ -177,15 +185,20 @@ gatherPositions (const PositionAt& position_at, const pcl::Indices* indices, con
   };
   if (indices)
   {
-    flat.reset (flat.width, flat.height);
+    std::fill (flat.valid.begin (), flat.valid.end (), std::uint8_t{0});
+    for (std::vector<float>* values : {&flat.x, &flat.y, &flat.z})
+      std::fill (values->begin (), values->end (), 0.0f);
     for (const pcl::index_t index : *indices)
       take (static_cast<std::size_t> (index));
-    return;
   }
   forEachBand (flat.height, gathered_rows, threads, [&] (int begin, int end) {
     const std::size_t width = flat.width;
-    for (std::size_t index = begin * width; index < end * width; ++index)
-      take (index);
+    for (std::size_t first = begin * width; first < end * width; first += width)
+    {
+      for (std::size_t index = first; index < first + width && !indices; ++index)
+        take (index);
+      gather_more (first, first + width);
+    }
   });
 }
 
@@ -198,8 +211,7 @@ void
 gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices, OrganizedCloud& flat, int threads)
 {
   flat.resize (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
-  gatherPositions ([&] (std::size_t index) -> const PointT& { return (cloud[index]); }, indices, sensorPose (cloud), flat,
-                   threads);
+  const auto point_at = [&cloud] (std::size_t index) -> const PointT& { return (cloud[index]); };
   if constexpr (HasRgb<PointT>::value)
   {
     flat.red.resize (cloud.size ());
@@ -207,8 +219,8 @@ gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices, Organ
     flat.blue.resize (cloud.size ());
     std::uint8_t *const red = flat.red.data (), *const green = flat.green.data (), *const blue = flat.blue.data ();
     const PointT* const points = cloud.data ();
-    forEachBand (flat.height, gathered_rows, threads, [=, width = std::size_t{cloud.width}] (int begin, int end) {
-      for (std::size_t index = begin * width; index < end * width; ++index)
+    gatherPositions (point_at, indices, sensorPose (cloud), flat, threads, [=] (std::size_t begin, std::size_t end) {
+      for (std::size_t index = begin; index < end; ++index)
       {
         red[index] = points[index].r;
         green[index] = points[index].g;
@@ -216,6 +228,8 @@ gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices, Organ
       }
     });
   }
+  else
+    gatherPositions (point_at, indices, sensorPose (cloud), flat, threads);
 }
 
 template <typename PointT>
