@@ -115,13 +115,13 @@ measureStages (const std::vector<Frame>& frames)
     extractPlanarPatches (frame.cloud, frame.normals, settings, patches);
   });
   measure ("patch_graph", frames, [] (const Frame& frame) {
-    benchmark::DoNotOptimize (buildPatchGraph (frame.cloud, frame.normals, frame.patches.labels,
+    benchmark::DoNotOptimize (buildPatchGraph (frame.cloud, estimateSensor (frame.cloud), frame.normals, frame.patches.labels,
                                                static_cast<int> (frame.patches.patches.size ()),
                                                parameters.patch_graph));
   });
   measure ("supporting_planes", frames, [] (const Frame& frame) {
     benchmark::DoNotOptimize (
-        findSupportingPlanes (frame.cloud, frame.normals, frame.coarser, parameters.support));
+        findSupportingPlanes (frame.cloud, estimateSensor (frame.cloud), frame.normals, frame.coarser, parameters.support));
   });
   measureStream ("first_object/one_thread", frames, parameters, 1, segmentFirst);
   measureStream ("first_object/two_threads", frames, parameters, 2, segmentFirst);

@@ -2,6 +2,7 @@
 #include <pcl_attention/core/bands.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <mutex>
@@ -34,9 +35,10 @@ forEachBand (int height, int band_height, [[maybe_unused]] int threads, const st
 #ifdef _OPENMP
   if (omp_in_parallel ())
   {
-#pragma omp taskloop grainsize(1)
+    std::atomic<std::size_t> next{0}; // tasks begin in any order; where the bands differ the largest are the first
+#pragma omp taskloop grainsize(1) shared(next)
     for (std::size_t index = 0; index < bands; ++index)
-      band (index);
+      band (next++);
   }
   else
   {

@@ -6,7 +6,6 @@
 
 #include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/compact_clustering.h>
-#include <pcl_attention/core/supporting_plane.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +20,9 @@ namespace
 
 /** \brief A patch is large if it is at least so much of its piece, as 1 / n. */
 constexpr int large_share = 5;
+
+/** \brief So many points fix a mean over an object to a fifth of a millimetre, however many patches it has. */
+constexpr std::size_t enough_samples = 400;
 
 bool
 areParallel (const PlanarPatch& first, const PlanarPatch& second)
@@ -72,17 +74,18 @@ struct CompactClustering::Piece
   bool surroundings_known{false};
 };
 
-CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
-                                      const PatchGraph& graph, const std::vector<std::uint8_t>& support_patches,
-                                      const ClusteringParameters& parameters)
+CompactClustering::CompactClustering (const OrganizedCloud& cloud, const SensorModel& sensor, const NormalImage& normals,
+                                      const PlanarPatches& patches, const PatchGraph& graph,
+                                      const std::vector<std::uint8_t>& support_patches, const ClusteringParameters& parameters,
+                                      int threads)
 : cloud_ (cloud),
   patches_ (patches),
   graph_ (graph),
   support_patches_ (support_patches),
   parameters_ (parameters),
-  focal_length_ (estimateFocalLength (cloud)),
-  depth_noise_ (estimateDepthNoise (cloud)),
-  hull_grid_ (std::make_unique<HullGrid> (cloud))
+  sensor_ (sensor),
+  threads_ (threads),
+  hull_grid_ (std::make_unique<HullGrid> (cloud, threads))
 {
   const std::size_t count = patches.patches.size () + 1;
   samples_.resize (count);
@@ -107,6 +110,7 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const NormalI
   forEachSeed ([&] (int label) {
     const pcl::Indices& pixels = patches.patches[label - 1].pixels;
     const std::size_t samples = std::min (pixels.size (), static_cast<std::size_t> (parameters.compactness_samples));
+    samples_[label].reserve (samples);
     for (std::size_t sample = 0; sample < samples; ++sample)
     {
       const pcl::index_t index = pixels[sample * pixels.size () / samples];
@@ -139,8 +143,8 @@ CompactClustering::findIslands ()
 void
 CompactClustering::forEachSeed (const std::function<void (int label)>& work) const
 {
-  constexpr int together = 32;
-  forEachBand (static_cast<int> (seeds_.size ()), together, 1, [&] (int begin, int end) {
+  constexpr int together = 4; // the first ones are the largest
+  forEachBand (static_cast<int> (seeds_.size ()), together, threads_, [&] (int begin, int end) {
     std::for_each (seeds_.begin () + begin, seeds_.begin () + end, work);
   });
 }
@@ -253,8 +257,6 @@ CompactClustering::centroidOf (const std::vector<int>& labels) const
 template <typename Visit> void
 CompactClustering::forEachSample (const std::vector<int>& labels, const Visit& visit) const
 {
-  // So many fix a mean over the object to a fifth of a millimetre, however many patches it has.
-  constexpr std::size_t enough_samples = 400;
   std::size_t count = 0;
   for (const int label : labels)
     count += samples_[label].size ();
@@ -305,6 +307,8 @@ CompactClustering::compactnessOf (const std::vector<int>& labels, const VisibleH
 {
   std::vector<Eigen::Vector3f> points;
   std::vector<float> weights;
+  points.reserve (2 * enough_samples);
+  weights.reserve (2 * enough_samples);
   forEachSample (labels, [&] (const Sample& sample) {
     points.push_back (sample.point);
     weights.push_back (sample.weight);
@@ -576,7 +580,7 @@ CompactClustering::growAhead (const std::function<bool ()>& is_over)
     });
   if (!parameters_.joinsPieces ())
     return;
-  forEachBand (static_cast<int> (islands_.size ()), 1, 1, [&] (int island, int) {
+  forEachBand (static_cast<int> (islands_.size ()), 1, threads_, [&] (int island, int) {
     for (const int seed : islands_[island].seeds)
     {
       if (is_over ())
@@ -623,7 +627,7 @@ CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
     return (false);
   // The contour is counted in four directions, so that a strip of w pixels has four pairs for every w pixels of its area.
   const float depth = patches_.patches[piece.patches.front () - 1].centroid.z ();
-  const float width = 4.0f * static_cast<float> (piece.pixels) / std::max (1, piece.perimeter) * depth / focal_length_;
+  const float width = 4.0f * static_cast<float> (piece.pixels) / std::max (1, piece.perimeter) * depth / sensor_.focal_length;
   if (!(width < parameters_.handle_width))
     return (false);
   const PatchBorder border = borderBetween (object, piece);

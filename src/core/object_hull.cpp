@@ -3,6 +3,7 @@
 #include "instruction_set.h"
 #include "object_hull.h"
 
+#include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/organized_cloud.h>
 
 #include <Eigen/Geometry>
@@ -41,19 +42,18 @@ extremesFirst (const FlatPoints& points, std::size_t& extremes)
 
 } // namespace
 
-HullGrid::HullGrid (const OrganizedCloud& cloud)
+HullGrid::HullGrid (const OrganizedCloud& cloud, int threads)
 {
   if (cloud.size () == 0)
     return;
   // Points that are not valid lie at the sensor, which a frame may hold as well.
   Eigen::Vector3f low, high;
   const std::array<const std::vector<float>*, 3> axes{&cloud.x, &cloud.y, &cloud.z};
-  for (int axis = 0; axis < 3; ++axis)
-  {
+  forEachBand (3, 1, threads, [&] (int axis, int) {
     const Eigen::Map<const Eigen::ArrayXf> values (axes[axis]->data (), static_cast<Eigen::Index> (cloud.size ()));
     low[axis] = values.minCoeff ();
     high[axis] = values.maxCoeff ();
-  }
+  });
   // With coordinates of 16 bits a normal has 35, a plane's value at a point 52: whole numbers up to 2^53 are exact.
   constexpr float steps = 65000.0f;
   const float extent = (high - low).maxCoeff ();
@@ -92,7 +92,7 @@ GrowingHull::addOnGrid (const std::vector<Eigen::Vector3d>& points)
   const FlatPoints flat (&points_[first], points_.size () - first);
   std::size_t extremes;
   const std::vector<int> order = extremesFirst (flat, extremes);
-  Eigen::ArrayXd distances; // room for every point's
+  Insertion insertion;
   std::vector<float> depths (flat.size ());
   const auto insertThose = [&] (std::size_t begin, std::size_t end) {
     // What is inside stays there. A float may be off by a fiftieth of a step.
@@ -101,7 +101,7 @@ GrowingHull::addOnGrid (const std::vector<Eigen::Vector3d>& points)
     laneKernels ().lowestHeight (flat.arrays (), flat.size (), planes.data (), planes.size (), depths.data ());
     for (std::size_t i = begin; i < end; ++i)
       if (depths[order[i]] <= clearly)
-        insert (static_cast<int> (first) + order[i], distances);
+        insert (static_cast<int> (first) + order[i], insertion);
   };
   insertThose (0, extremes);
   insertThose (extremes, order.size ());
@@ -173,8 +173,11 @@ GrowingHull::Facets::largestDistance (const Eigen::Vector3d& point, Eigen::Array
   const auto all = [this] (const std::vector<double>& values) {
     return (Eigen::Map<const Eigen::ArrayXd> (values.data (), static_cast<Eigen::Index> (size ())));
   };
-  distances = all (x) * point.x () + all (y) * point.y () + all (z) * point.z () + all (offset);
-  return ((distances * all (inverse_length)).maxCoeff ());
+  const auto count = static_cast<Eigen::Index> (size ());
+  if (distances.size () < count)
+    distances.resize (2 * count);
+  distances.head (count) = all (x) * point.x () + all (y) * point.y () + all (z) * point.z () + all (offset);
+  return ((distances.head (count) * all (inverse_length)).maxCoeff ());
 }
 
 void
@@ -185,14 +188,15 @@ GrowingHull::addFacet (int a, int b, int c)
 }
 
 void
-GrowingHull::insert (int point, Eigen::ArrayXd& distances)
+GrowingHull::insert (int point, Insertion& insertion)
 {
+  auto& [distances, edges] = insertion;
   // A point on a facet's plane does not see it: what it adds beside it is seen by the facet's neighbours.
   if (facets_.largestDistance (points_[point], distances) <= tolerance_)
     return;
   // An edge that is met in one direction only is the horizon.
   constexpr std::pair<int, int> met_in_both{-1, -1};
-  std::vector<std::pair<int, int>> edges;
+  edges.clear ();
   std::size_t kept = facets_.size ();
   for (std::size_t i = kept; i-- > 0;)
   {
@@ -222,6 +226,7 @@ GrowingHull::dropInnerPoints ()
 {
   std::vector<int> place (points_.size (), -1);
   std::vector<Eigen::Vector3d> corners;
+  corners.reserve (facets_.size ()); // of which there are no fewer
   for (std::array<int, 3>& triangle : facets_.corners)
     for (int& corner : triangle)
     {
@@ -256,6 +261,8 @@ GrowingHull::visible () const
     return (hull);
   }
   hull.dimension = 3;
+  hull.faces.reserve (facets_.size ());
+  hull.hidden_faces.reserve (facets_.size ());
   for (std::size_t facet = 0; facet < facets_.size (); ++facet)
   {
     std::array<Eigen::Vector3f, 3> corners;

@@ -18,7 +18,7 @@ struct PCL_ATTENTION_EXPORTS HullGrid
 {
   HullGrid () = default;
   /** \brief Over the points of a cloud. */
-  explicit HullGrid (const OrganizedCloud& cloud);
+  explicit HullGrid (const OrganizedCloud& cloud, int threads = 1);
 
   Eigen::Vector3f origin{Eigen::Vector3f::Zero ()}; /**< metres */
   float step{1.0f};                                 /**< metres */
@@ -79,9 +79,16 @@ private:
     std::vector<FlatPlane>
     inwards () const;
     /** \brief The largest distance of a point from any plane, steps.
-      * \param[out] distances from all of them, times |n| and exact */
+      * \param[in,out] distances first those from all of them, times |n| and exact; enlarged where it has no room for them */
     double
     largestDistance (const Eigen::Vector3d& point, Eigen::ArrayXd& distances) const;
+  };
+
+  /** \brief What is worked out for a point that is inserted; kept from one to the next for its memory. */
+  struct Insertion
+  {
+    Eigen::ArrayXd distances;               /**< see \ref Facets::largestDistance */
+    std::vector<std::pair<int, int>> edges; /**< of the facets that see the point, from one corner to another */
   };
 
   void
@@ -90,9 +97,8 @@ private:
     * \return false when there are none */
   bool
   startTetrahedron ();
-  /** \param distances room for a point's distances from the facets */
   void
-  insert (int point, Eigen::ArrayXd& distances);
+  insert (int point, Insertion& insertion);
   void
   addFacet (int a, int b, int c);
   /** \brief Forget points that are no corner. */

@@ -2,7 +2,6 @@
 #include <pcl_attention/core/bands.h>
 #include <pcl_attention/core/patch_graph.h>
 #include <pcl_attention/core/skeleton.h>
-#include <pcl_attention/core/supporting_plane.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -24,15 +23,14 @@ namespace
 class BorderScan
 {
 public:
-  BorderScan (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels,
-              const PatchGraphParameters& parameters, float focal_length, float depth_noise, PatchGraph& graph)
+  BorderScan (const OrganizedCloud& cloud, const SensorModel& sensor, const NormalImage& normals, const Image<int>& labels,
+              const PatchGraphParameters& parameters, PatchGraph& graph)
   : cloud_ (cloud),
     normals_ (normals),
     labels_ (labels),
     parameters_ (parameters),
     graph_ (graph),
-    focal_length_ (focal_length),
-    depth_noise_ (depth_noise)
+    sensor_ (sensor)
   {}
 
   /** \param[in] step_column,step_row from a pixel to the next: (1, 0), (0, 1), (1, 1) or (-1, 1) */
@@ -179,9 +177,9 @@ private:
     ++border.pairs;
     const Eigen::Vector3f a = point (first), b = point (second);
     const float depth = std::max (a.z (), b.z ());
-    const float slack = focal_length_ > 0.0f
-                          ? parameters_.gap_slack * static_cast<float> (distance_in_pixels - 1) * depth / focal_length_ : 0.0f;
-    const float noise = parameters_.connection_noise * depth_noise_ * depth * depth;
+    const float slack = sensor_.focal_length > 0.0f
+                          ? parameters_.gap_slack * static_cast<float> (distance_in_pixels - 1) * depth / sensor_.focal_length : 0.0f;
+    const float noise = parameters_.connection_noise * sensor_.depth_noise * depth * depth;
     if ((b - a).norm () >= parameters_.connection_distance + noise + slack && !continuesGrazing (first, second) &&
         !continuesGrazing (second, first))
     {
@@ -216,8 +214,7 @@ private:
   const Image<int>& labels_;
   const PatchGraphParameters& parameters_;
   PatchGraph& graph_;
-  float focal_length_; /**< pixels */
-  float depth_noise_;  /**< standard deviation at 1 m, metres */
+  const SensorModel sensor_;
   Pixel step_{0, 0}; /**< from a pixel to the next along the lines */
   std::array<Border, 256> recent_; /**< where borders that were met last are in the graph */
 };
@@ -324,17 +321,15 @@ PatchGraph::borderPoints (int first, int second) const
 }
 
 PatchGraph
-buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels, int count,
-                 const PatchGraphParameters& parameters, int threads)
+buildPatchGraph (const OrganizedCloud& cloud, const SensorModel& sensor, const NormalImage& normals, const Image<int>& labels,
+                 int count, const PatchGraphParameters& parameters, int threads)
 {
-  const float focal_length = estimateFocalLength (cloud);
-  const float depth_noise = parameters.connection_noise > 0.0f ? estimateDepthNoise (cloud) : 0.0f;
   constexpr std::array<Pixel, 4> directions{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
   std::array<PatchGraph, directions.size ()> parts;
   forEachBand (static_cast<int> (directions.size ()), 1, threads, [&] (int begin, int) {
     PatchGraph& part = parts[begin];
     part.perimeter.assign (count + 1, 0);
-    BorderScan (cloud, normals, labels, parameters, focal_length, depth_noise, part).scan (directions[begin].column, directions[begin].row);
+    BorderScan (cloud, sensor, normals, labels, parameters, part).scan (directions[begin].column, directions[begin].row);
   });
   PatchGraph graph = std::move (parts[0]);
   for (auto part = parts.begin () + 1; part != parts.end (); ++part)

@@ -207,6 +207,7 @@ AttentionPipeline::restart ()
   queue_.clear ();
   next_point_ = 0;
   waiting_.clear ();
+  fruitless_.clear ();
   grown_ahead_.clear ();
   queue_filled_ = false;
   claimed_.assign (cloud_.size (), 0);
@@ -366,7 +367,8 @@ AttentionPipeline::preparePatches ()
     return;
   normals ();
   const StageTimer timer (times_.patches);
-  supporting_planes_ = findSupportingPlanes (cloud_, *normals_, coarser (), parameters_.support, threads_);
+  sensor_ = estimateSensor (cloud_);
+  supporting_planes_ = findSupportingPlanes (cloud_, sensor_, *normals_, coarser (), parameters_.support, threads_);
   std::exception_ptr over_error, patch_error;
 #pragma omp taskgroup
   {
@@ -406,7 +408,7 @@ AttentionPipeline::makePatches ()
   }
   else if (stays_off)
     support_patches_ = cutAlongPlanes (cloud_, *supporting_planes_, parameters_.patches, *patches_);
-  patch_graph_ = buildPatchGraph (cloud_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
+  patch_graph_ = buildPatchGraph (cloud_, sensor_, *normals_, patches_->labels, static_cast<int> (patches_->patches.size ()),
                                   parameters_.patch_graph, threads_);
   disconnectSteps (cloud_, *patches_, support_patches_, parameters_.patch_graph, *patch_graph_);
 }
@@ -439,8 +441,8 @@ AttentionPipeline::clustering ()
   {
     preparePatches ();
     const StageTimer timer (times_.segmentation);
-    clustering_ = std::make_unique<CompactClustering> (cloud_, *normals_, *patches_, *patch_graph_, support_patches_,
-                                                       parameters_.clustering);
+    clustering_ = std::make_unique<CompactClustering> (cloud_, sensor_, *normals_, *patches_, *patch_graph_, support_patches_,
+                                                       parameters_.clustering, threads_);
   }
   return (*clustering_);
 }
@@ -508,24 +510,34 @@ AttentionPipeline::fillQueue ()
 std::vector<AttentionPoint>
 AttentionPipeline::coveragePoints () const
 {
-  // The largest patches first.
-  std::vector<std::pair<std::size_t, int>> order;
-  for (std::size_t k = 0; k < patches_->patches.size (); ++k)
-    if (support_patches_.empty () || !support_patches_[k + 1])
-      order.emplace_back (patches_->patches[k].pixels.size (), static_cast<int> (k));
-  std::stable_sort (order.begin (), order.end (), [] (const auto& a, const auto& b) { return (a.first > b.first); });
+  std::vector<int> patches; // the largest first
+  for (int k = 0; k < static_cast<int> (patches_->patches.size ()); ++k)
+    if (static_cast<int> (patches_->patches[k].pixels.size ()) >= parameters_.segmentation.coverage_size &&
+        (support_patches_.empty () || !support_patches_[k + 1]))
+      patches.push_back (k);
+  std::stable_sort (patches.begin (), patches.end (), [this] (int a, int b) {
+    return (patches_->patches[a].pixels.size () > patches_->patches[b].pixels.size ());
+  });
+  std::vector<pcl::index_t> centers (patches.size ());
+  constexpr int together = 4; // few, as the first ones are large
+  forEachBand (static_cast<int> (patches.size ()), together, threads_, [&] (int begin, int end) {
+    std::transform (patches.begin () + begin, patches.begin () + end, centers.begin () + begin, [this] (int k) {
+      // The pixel nearest to the patch's centroid: a fixation lies on its patch.
+      const PlanarPatch& patch = patches_->patches[k];
+      pcl::index_t center = 0;
+      float nearest = std::numeric_limits<float>::max ();
+      for (const pcl::index_t pixel : patch.pixels)
+        if (const float distance = (pointAt (cloud_, pixel) - patch.centroid).squaredNorm (); distance < nearest)
+        {
+          nearest = distance;
+          center = pixel;
+        }
+      return (center);
+    });
+  });
   std::vector<AttentionPoint> points;
-  for (const auto& [size, k] : order)
+  for (const pcl::index_t center : centers)
   {
-    const PlanarPatch& patch = patches_->patches[k];
-    if (static_cast<int> (size) < parameters_.segmentation.coverage_size)
-      break;
-    // The pixel nearest to the patch's centroid: a fixation lies on its patch.
-    const pcl::index_t center =
-      *std::min_element (patch.pixels.begin (), patch.pixels.end (), [&] (pcl::index_t a, pcl::index_t b) {
-        return ((pointAt (cloud_, a) - patch.centroid).squaredNorm () <
-                (pointAt (cloud_, b) - patch.centroid).squaredNorm ());
-      });
     if (!over_support_.empty () && !over_support_[center])
       continue;
     AttentionPoint point;
@@ -575,7 +587,7 @@ AttentionPipeline::priorityOf (std::size_t place, float size_weight) const
 float
 AttentionPipeline::frontalArea (const AttentionSegment& segment) const
 {
-  const float focal_length = clustering_->focalLength ();
+  const float focal_length = sensor_.focal_length;
   if (focal_length <= 0.0f)
     return (std::numeric_limits<float>::infinity ());
   float area = 0.0f;
@@ -649,7 +661,10 @@ AttentionPipeline::find (AttentionSegment& segment)
     const std::vector<std::size_t> others = std::move (best->others);
     waiting_.erase (best);
     const AttentionPoint& point = segment.attention_point;
-    if (isInhibited (point) || (avoidsReturn (point) && isDuplicate (segment)))
+    const bool is_duplicate = avoidsReturn (point) && isDuplicate (segment);
+    if (is_duplicate)
+      fruitless_.insert (clustering ().initialPatches (point));
+    if (is_duplicate || isInhibited (point))
     {
       std::for_each (others.begin (), others.end (), [this] (std::size_t place) { growAt (place); });
       continue;
@@ -691,22 +706,17 @@ AttentionPipeline::growAhead ()
     AttentionSegment segment;
     if (!grower.grow (point, initial, segment))
       return;
+    const bool is_object = isLargeEnough (segment, frontalArea (segment));
     const std::lock_guard<std::mutex> lock (mutex);
-    take (segment.patches);
+    if (is_object)
+      take (segment.patches);
     grown_ahead_.emplace (place, std::move (segment));
   };
-  std::exception_ptr error;
-#pragma omp parallel num_threads(threads_)
-#pragma omp single
-  error = exceptionOf ([&] {
-    grower.growAhead ([] { return (false); });
-    forEachBand (threads_, 1, threads_, [&] (int, int) {
-      for (std::size_t place; (place = next_place++) < queue_.size ();)
-        growNext (place);
-    });
+  grower.growAhead ([] { return (false); });
+  forEachBand (threads_, 1, threads_, [&] (int, int) {
+    for (std::size_t place; (place = next_place++) < queue_.size ();)
+      growNext (place);
   });
-  if (error)
-    std::rethrow_exception (error);
 }
 
 void
@@ -721,6 +731,8 @@ AttentionPipeline::growAt (std::size_t place)
   if (avoidsReturn (point))
   {
     // From the same patches the same object would grow.
+    if (fruitless_.count (initial) > 0)
+      return;
     const auto startsWithin = [&] (const auto& contains) {
       return (std::all_of (initial.begin (), initial.end (),
                            [&] (int label) { return (contains (patches_->patches[label - 1].pixels.front ())); }));
@@ -744,6 +756,8 @@ AttentionPipeline::growAt (std::size_t place)
     const Priority priority = priorityOf (place, sizeWeight (area));
     waiting_.push_back ({std::move (segment), priority, {}});
   }
+  else
+    fruitless_.insert (initial);
 }
 
 bool

@@ -27,13 +27,29 @@ public:
   void
   add (const OrganizedCloud& cloud, int begin, int end)
   {
-    count_ += end - begin;
     int pixel = begin;
     for (; pixel + together <= end; pixel += together)
       add (Stored (&cloud.x[pixel]).cast<double> (), Stored (&cloud.y[pixel]).cast<double> (), Stored (&cloud.z[pixel]).cast<double> ());
-    const auto alone = [] (double value) { return (Several (value, 0.0, 0.0, 0.0)); };
+    count_ += pixel - begin;
     for (; pixel < end; ++pixel)
-      add (alone (cloud.x[pixel]), alone (cloud.y[pixel]), alone (cloud.z[pixel]));
+      add (cloud, pixel);
+  }
+
+  /** \brief Add a pixel. */
+  void
+  add (const OrganizedCloud& cloud, int pixel)
+  {
+    const double x = cloud.x[pixel], y = cloud.y[pixel], z = cloud.z[pixel];
+    ++count_;
+    sums_[0][0] += x;
+    sums_[1][0] += y;
+    sums_[2][0] += z;
+    squares_[0][0] += x * x;
+    squares_[1][0] += x * y;
+    squares_[2][0] += x * z;
+    squares_[3][0] += y * y;
+    squares_[4][0] += y * z;
+    squares_[5][0] += z * z;
   }
 
   PatchSums&
@@ -97,10 +113,17 @@ private:
                                   Several::Zero (), Several::Zero (), Several::Zero ()}; /**< xx, xy, xz, yy, yz, zz */
 };
 
+/** \brief The largest label; 0 without one. */
+int
+lastLabel (const Image<int>& labels)
+{
+  return (labels.size () == 0 ? 0 : Eigen::Map<const Eigen::ArrayXi> (labels.data.data (), static_cast<Eigen::Index> (labels.size ())).maxCoeff ());
+}
+
 std::vector<PatchSums>
 sumsOf (const OrganizedCloud& cloud, const Image<int>& labels, int threads)
 {
-  const int count = labels.size () == 0 ? 0 : *std::max_element (labels.data.begin (), labels.data.end ());
+  const int count = lastLabel (labels);
   std::array<std::vector<PatchSums>, 2> halves;
   const int band_height = std::max (1, (labels.height + 1) / 2);
   forEachBand (labels.height, band_height, threads, [&] (int band_begin, int band_end) {
@@ -190,7 +213,7 @@ assignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, int thread
       if (best[i])
       {
         labels[front[i]] = best[i];
-        sums[best[i] - 1].add (cloud, front[i], front[i] + 1);
+        sums[best[i] - 1].add (cloud, front[i]);
       }
     for (std::size_t i = 0; i < front.size (); ++i)
       if (best[i])
@@ -228,10 +251,12 @@ void
 extractPlanarPatches (const OrganizedCloud& cloud, const NormalImage& normals, Image<int>&& taken,
                       const PatchParameters& parameters, PlanarPatches& result, int threads)
 {
-  const int last = taken.size () == 0 ? 0 : *std::max_element (taken.data.begin (), taken.data.end ());
+  const int last = lastLabel (taken);
   result.labels = std::move (taken);
-  (parameters.method == PatchMethod::grid_growing ? growOnGrid : growWithPcl) (cloud, normals, parameters, result.labels,
-                                                                               last);
+  if (parameters.method == PatchMethod::grid_growing)
+    growOnGrid (cloud, normals, parameters, threads, result.labels, last);
+  else
+    growWithPcl (cloud, normals, parameters, result.labels, last);
   std::vector<PatchSums> sums = sumsOf (cloud, result.labels, threads);
   fitPlanes (sums, result.patches);
   if (parameters.reassign_distance > 0.0f)

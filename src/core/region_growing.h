@@ -50,7 +50,6 @@ public:
     normal_sum_ += normal;
   }
 
-private:
   /** \brief Whether the surface steps between two neighbouring pixels: apart along the view, and off the first one's tangent
     * plane, so that a slanted surface is no step. */
   bool
@@ -61,6 +60,7 @@ private:
     return (difference.squaredNorm () > squared_step_ && off_plane * off_plane > 0.25f * squared_step_);
   }
 
+private:
   bool running_;
   float squared_cosine_, squared_distance_, squared_step_;
   float count_{0.0f};
@@ -68,12 +68,13 @@ private:
 };
 
 /** \brief Label the regions that grow from the points of lowest curvature, of equal ones from the first.
+  * \param[in] threads 0: all processors; the regions do not depend on it
   * \param[in,out] labels of the cloud's size; pixels with one are taken already
   * \param[in] label of the patch before; the regions have those after it, in the order they are grown, without those under the
   * minimum size */
 void
-growOnGrid (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters, Image<int>& labels,
-            int label);
+growOnGrid (const OrganizedCloud& cloud, const NormalImage& normals, const PatchParameters& parameters, int threads,
+            Image<int>& labels, int label);
 
 /** \brief The same with pcl::RegionGrowing, in which points of equal curvature come in any order. */
 void

@@ -362,31 +362,6 @@ fitToPatch (const OrganizedCloud& cloud, const NormalImage& normals, const Plana
 
 } // namespace
 
-float
-estimateDepthNoise (const OrganizedCloud& cloud)
-{
-  // The inverse depth of a plane is linear along a row, so its second difference is noise, wherever there is no edge.
-  constexpr int distance = 8;
-  std::vector<float> differences;
-  const int step = std::max (1, cloud.height / 120); // some ten thousand pixels give the median to a hundredth
-  for (int row = 0; row < cloud.height; row += step)
-    for (int column = distance; column + distance < cloud.width; column += step)
-    {
-      const std::size_t index = static_cast<std::size_t> (row) * cloud.width + column;
-      if (!cloud.valid[index] || !cloud.valid[index - distance] || !cloud.valid[index + distance] ||
-          std::min ({cloud.z[index], cloud.z[index - distance], cloud.z[index + distance]}) <= 0.0f)
-        continue;
-      differences.push_back (std::abs (1.0f / cloud.z[index - distance] + 1.0f / cloud.z[index + distance] -
-                                       2.0f / cloud.z[index]));
-    }
-  if (differences.size () < 100)
-    return (0.0f);
-  const auto middle = differences.begin () + static_cast<std::ptrdiff_t> (differences.size () / 2);
-  std::nth_element (differences.begin (), middle, differences.end ());
-  // The median of |normal| is 0.6745 standard deviations; the second difference has six times the variance.
-  return (*middle / 0.6745f / std::sqrt (6.0f));
-}
-
 int
 supportLevels (int width)
 {
@@ -398,13 +373,12 @@ supportLevels (int width)
 }
 
 std::vector<SupportingPlane>
-findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const std::vector<PyramidLevel>& coarser,
-                      const SupportParameters& parameters, int threads)
+findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, const NormalImage& normals,
+                      const std::vector<PyramidLevel>& coarser, const SupportParameters& parameters, int threads)
 {
-  const float focal_length = estimateFocalLength (cloud);
+  const auto [focal_length, noise] = sensor;
   if (focal_length <= 0.0f)
     return {};
-  const float noise = estimateDepthNoise (cloud);
   // The mean over many points shows planes whose noise breaks them into fragments at full size, in a fraction of the time.
   const int levels = supportLevels (cloud.width), scale = 1 << levels;
   const OrganizedCloud& coarse = levels == 0 ? cloud : coarser[levels - 1].cloud;
@@ -476,7 +450,7 @@ findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, c
     graph_parameters.connection_distance *= 2.0f;
     graph_parameters.maximum_gap /= scale;
     graph_parameters.sample_distance = std::max (2, graph_parameters.sample_distance / scale);
-    const PatchGraph graph = buildPatchGraph (coarse, coarse_normals, patches.labels,
+    const PatchGraph graph = buildPatchGraph (coarse, estimateSensor (coarse), coarse_normals, patches.labels,
                                               static_cast<int> (patches.patches.size ()), graph_parameters);
     for (CoarsePlane& candidate : found)
       candidate.score *= scale * concaveBorder (graph, candidate.label) + 20.0;

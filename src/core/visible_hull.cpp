@@ -111,6 +111,7 @@ distancesToPlanes (const std::vector<Eigen::Vector3f>& points, const std::vector
   const FlatPoints flat (points.data (), points.size ());
   std::vector<float> nearest (flat.size ());
   std::vector<FlatPlane> planes;
+  planes.reserve (faces.size ());
   for (const VisibleHull::Face& face : faces)
     planes.push_back ({{face.normal.x (), face.normal.y (), face.normal.z ()}, face.offset});
   laneKernels ().nearestPlane (flat.arrays (), flat.size (), planes.data (), planes.size (), nearest.data ());

@@ -41,7 +41,7 @@ struct Case
   {
     patches.labels = std::move (labels);
     describePatches (frame.cloud, patches);
-    graph = buildPatchGraph (frame.cloud, frame.normals, patches.labels, static_cast<int> (patches.patches.size ()),
+    graph = buildPatchGraph (frame.cloud, estimateSensor (frame.cloud), frame.normals, patches.labels, static_cast<int> (patches.patches.size ()),
                              PatchGraphParameters ());
   }
 
@@ -59,7 +59,7 @@ struct Case
   AttentionSegment
   grow (int column, int row, const ClusteringParameters& parameters, std::vector<std::uint8_t> support = {}) const
   {
-    CompactClustering clustering (frame.cloud, frame.normals, patches, graph, support, parameters);
+    CompactClustering clustering (frame.cloud, estimateSensor (frame.cloud), frame.normals, patches, graph, support, parameters);
     AttentionPoint point;
     point.column = column;
     point.row = row;
@@ -813,7 +813,7 @@ TEST (CompactClustering, FindsNothingWhereThereIsNoPatch)
   const Case scene (shapes::look (shapes::plane ({0, 0, 0.8}, {0, 0, -1})), labels);
   ClusteringParameters parameters = plain ();
   parameters.initial_radius = 5;
-  CompactClustering clustering (scene.frame.cloud, scene.frame.normals, scene.patches, scene.graph, {}, parameters);
+  CompactClustering clustering (scene.frame.cloud, estimateSensor (scene.frame.cloud), scene.frame.normals, scene.patches, scene.graph, {}, parameters);
   AttentionPoint point;
   AttentionSegment segment;
   point.column = 24; // 6 pixels beside the patch
@@ -835,7 +835,7 @@ TEST (CompactClustering, FindsNothingWhereThereIsNoPatch)
 TEST (CompactClustering, GivesTheSameFromTheSamePointAgain)
 {
   const Case scene = valley ();
-  CompactClustering clustering (scene.frame.cloud, scene.frame.normals, scene.patches, scene.graph, {},
+  CompactClustering clustering (scene.frame.cloud, estimateSensor (scene.frame.cloud), scene.frame.normals, scene.patches, scene.graph, {},
                                 ClusteringParameters ());
   AttentionPoint point;
   point.column = 10;

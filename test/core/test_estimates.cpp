@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is estimated from the cloud itself: the focal length and the noise of the depth.
 #include "shapes.h"
-#include <pcl_attention/core/supporting_plane.h>
+#include <pcl_attention/core/sensor_model.h>
 
 #include <gtest/gtest.h>
 

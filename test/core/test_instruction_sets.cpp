@@ -38,7 +38,8 @@ resultsOf (const OrganizedCloud& cloud, const AttentionParameters& parameters, i
   computeSymmetry (cloud, results.normals, parameters.saliency, threads, results.symmetry);
   computeSaliency (cloud, results.normals, parameters.saliency, threads, results.saliency);
   results.planes = findSupportingPlanes (
-    cloud, results.normals, coarserLevels (cloud, results.normals, supportLevels (cloud.width), threads), parameters.support);
+    cloud, estimateSensor (cloud), results.normals, coarserLevels (cloud, results.normals, supportLevels (cloud.width), threads),
+    parameters.support);
   if (!results.planes.empty ())
     results.over = findPointsOver (cloud, results.planes.front ());
   std::vector<Eigen::Vector3f> points;

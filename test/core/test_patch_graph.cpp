@@ -52,7 +52,7 @@ PatchGraph
 graphOf (const Frame& frame, const Image<int>& image, int count,
          const PatchGraphParameters& parameters = PatchGraphParameters ())
 {
-  return (buildPatchGraph (frame.cloud, frame.normals, image, count, parameters));
+  return (buildPatchGraph (frame.cloud, estimateSensor (frame.cloud), frame.normals, image, count, parameters));
 }
 
 /** \brief Every pair of 8-neighbours of the two labels, counted once. */

@@ -34,7 +34,7 @@ staysConnected (const Left& depth_left, const Right& depth_right, const PatchGra
       frame.set (frame.index (column, row), {0.001 * (column - 39.5), 0.001 * (row - 14.5), depth}, {0, 0, -1});
     }
   describePatches (frame.cloud, patches);
-  PatchGraph graph = buildPatchGraph (frame.cloud, frame.normals, patches.labels, 2, parameters);
+  PatchGraph graph = buildPatchGraph (frame.cloud, estimateSensor (frame.cloud), frame.normals, patches.labels, 2, parameters);
   EXPECT_GT (graph.border (1, 2).connectedShare (), 0.9f) << "before";
   disconnectSteps (frame.cloud, patches, excluded, parameters, graph);
   return (graph.border (1, 2).connected > 0);
@@ -95,7 +95,7 @@ TEST (DisconnectSteps, DifferentColorsAskForLess)
     describePatches (frame.cloud, patches);
     PatchGraphParameters parameters;
     parameters.step_color = step_color;
-    PatchGraph graph = buildPatchGraph (frame.cloud, frame.normals, patches.labels, 2, parameters);
+    PatchGraph graph = buildPatchGraph (frame.cloud, estimateSensor (frame.cloud), frame.normals, patches.labels, 2, parameters);
     disconnectSteps (frame.cloud, patches, {}, parameters, graph);
     return (graph.border (1, 2).connected > 0);
   };
@@ -139,7 +139,7 @@ TEST (DisconnectSteps, WhatWasCutApartStaysApart)
   patches.patches[0].cuts = {1, 2};
   patches.patches[1].cuts = {3, -2};
   patches.patches[2].cuts = {3, 4};
-  PatchGraph graph = buildPatchGraph (frame.cloud, frame.normals, patches.labels, 3, PatchGraphParameters ());
+  PatchGraph graph = buildPatchGraph (frame.cloud, estimateSensor (frame.cloud), frame.normals, patches.labels, 3, PatchGraphParameters ());
   disconnectSteps (frame.cloud, patches, {}, PatchGraphParameters (), graph);
   EXPECT_EQ (graph.border (1, 2).connected, 0) << "either side of step 2";
   EXPECT_GT (graph.border (2, 3).connected, 0) << "the same side of step 3";
@@ -296,7 +296,7 @@ TEST (CutAtSteps, AStaircaseFallsIntoItsStepsAndNoneIsConnected)
   OnePatch stairs ([] (double column, double) { return (column < -15 ? 1.0 : column < 15 ? 1.004 : 1.008); });
   stairs.cut ();
   ASSERT_EQ (stairs.count (), 3u);
-  PatchGraph graph = buildPatchGraph (stairs.frame.cloud, stairs.frame.normals, stairs.patches.labels, 3, PatchGraphParameters ());
+  PatchGraph graph = buildPatchGraph (stairs.frame.cloud, estimateSensor (stairs.frame.cloud), stairs.frame.normals, stairs.patches.labels, 3, PatchGraphParameters ());
   ASSERT_EQ (graph.borders.size (), 2u);
   disconnectSteps (stairs.frame.cloud, stairs.patches, {}, PatchGraphParameters (), graph);
   for (const auto& [names, border] : graph.borders)

@@ -47,11 +47,11 @@ expectSame (const std::vector<AttentionSegment>& a, const std::vector<AttentionS
   }
 }
 
-/** \brief The segments at a point in each of three strips of a bowl, of which any two that touch are compact, but not all three:
-  * the middle one, of 40 columns, goes with the first it meets.
+/** \brief Three strips of a bowl, of which any two that touch are compact, but not all three: the middle one, of 40 columns, goes with
+  * the first it meets.
   * \param[in] left_columns of the left strip, 1 to 80; the right one has 140 */
-std::vector<AttentionSegment>
-segmentsOfStrips (int left_columns)
+void
+startWithStrips (int left_columns, AttentionPipeline& pipeline)
 {
   constexpr int height = 100, middle = 80, right = 120, width = 260;
   constexpr float focal_length = 525.0f;
@@ -80,21 +80,34 @@ segmentsOfStrips (int left_columns)
   parameters.segmentation.coverage = false;
   parameters.segmentation.fixation_margin = 0;
   parameters.segmentation.full_size = 0.1f;
-  AttentionPipeline pipeline;
   pipeline.start (gather (points, nullptr), Eigen::Isometry3f::Identity (), parameters, 1);
   pipeline.setPatches (std::move (patches));
-  // Ranked by saliency and size, as the user's own points would not be.
+}
+
+/** \brief Fixations on strips, ranked by saliency and size, as the user's own points would not be. */
+AttentionPoints
+pointsOnStrips (const std::vector<std::pair<int, float>>& columns_and_saliencies)
+{
   AttentionPoints fixations;
-  for (const auto& [column, saliency] : {std::pair<int, float> (100, 0.9f), {70, 0.8f}, {180, 0.7f}})
+  for (const auto& [column, saliency] : columns_and_saliencies)
   {
     AttentionPoint point;
     point.column = column;
-    point.row = height / 2;
+    point.row = 50;
     point.saliency = saliency;
     point.kind = AttentionPointKind::coverage;
     fixations.points.push_back (point);
   }
-  pipeline.setAttentionPoints (std::move (fixations));
+  return (fixations);
+}
+
+/** \brief The segments at a point in each of the strips. */
+std::vector<AttentionSegment>
+segmentsOfStrips (int left_columns)
+{
+  AttentionPipeline pipeline;
+  startWithStrips (left_columns, pipeline);
+  pipeline.setAttentionPoints (pointsOnStrips ({{100, 0.9f}, {70, 0.8f}, {180, 0.7f}}));
   return (allSegments (pipeline));
 }
 
@@ -312,6 +325,19 @@ TEST (Pipeline, dropsWhatIsByMoreThanHalfOfEarlierSegments)
   const std::vector<AttentionSegment> segments = segmentsOfStrips (39);
   ASSERT_EQ (segments.size (), 1u);
   EXPECT_EQ (segments[0].patches, (std::vector<int>{3, 2}));
+}
+
+TEST (Pipeline, findsWithOtherPointsWhatWasDroppedBefore)
+{
+  AttentionPipeline pipeline;
+  startWithStrips (39, pipeline);
+  pipeline.setAttentionPoints (pointsOnStrips ({{100, 0.9f}, {70, 0.8f}, {180, 0.7f}}));
+  EXPECT_EQ (allSegments (pipeline).size (), 1u); // as above
+  pipeline.setPrior (AttentionPrior ()); // begins again
+  pipeline.setAttentionPoints (pointsOnStrips ({{70, 0.8f}}));
+  const std::vector<AttentionSegment> segments = allSegments (pipeline);
+  ASSERT_EQ (segments.size (), 1u);
+  EXPECT_EQ (segments[0].patches, (std::vector<int>{1, 2}));
 }
 
 TEST (Pipeline, takesTheMaximumOfAGivenSaliency)

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -20,10 +21,10 @@ namespace
 {
 
 PlanarPatches
-patchesOf (const Frame& frame, const PatchParameters& parameters = PatchParameters ())
+patchesOf (const Frame& frame, const PatchParameters& parameters = PatchParameters (), int threads = 1)
 {
   PlanarPatches result;
-  extractPlanarPatches (frame.cloud, frame.normals, parameters, result);
+  extractPlanarPatches (frame.cloud, frame.normals, parameters, result, threads);
   return (result);
 }
 
@@ -472,10 +473,73 @@ TEST (PlanarPatches, OfEqualCurvatureStartAtTheFirstPoint)
   EXPECT_EQ (patches.labels (19, 5), 2);
 }
 
+TEST (PlanarPatches, AreTheSameForAnyNumberOfThreads)
+{
+  for (const SceneKind kind : {SceneKind::clutter, SceneKind::cylinders, SceneKind::stacked})
+  {
+    Frame frame = shapes::rendered (kind, 5, 203, 151, 1.0);
+    shapes::punchHoles (frame, 4, 0.02);
+    PatchParameters parameters;
+    parameters.minimum_size = 9;
+    const PlanarPatches by_one = patchesOf (frame, parameters);
+    EXPECT_GT (by_one.patches.size (), 10u);
+    for (const int threads : {0, 2, 3, 8})
+      EXPECT_EQ (patchesOf (frame, parameters, threads).labels.data, by_one.labels.data) << threads;
+  }
+}
+
+TEST (PlanarPatches, ThatGrowBesideEachOtherAreNumberedByTheCurvatureTheyStartAt)
+{
+  // Five walls of different depths side by side, the flattest one in the middle.
+  const std::array<float, 5> curvatures{0.03f, 0.02f, 0.0f, 0.02f, 0.01f};
+  const std::array<int, 5> expected{5, 3, 1, 4, 2};
+  Frame frame = shapes::emptyFrame (50, 6);
+  for (int row = 0; row < 6; ++row)
+    for (int column = 0; column < 50; ++column)
+    {
+      const int wall = column / 10;
+      frame.set (frame.index (column, row), {0.001 * column, 0.001 * row, 1.0 + 0.1 * wall}, {0, 0, -1});
+      frame.normals.curvature[frame.index (column, row)] = curvatures[wall];
+    }
+  PatchParameters parameters;
+  parameters.minimum_size = 9;
+  for (const int threads : {1, 2, 4})
+  {
+    const PlanarPatches patches = patchesOf (frame, parameters, threads);
+    for (int wall = 0; wall < 5; ++wall)
+      EXPECT_EQ (patches.labels (10 * wall + 5, 3), expected[wall]) << threads;
+  }
+}
+
+TEST (PlanarPatches, GrowOverAStepThatIsOneFromTheOtherSideOnly)
+{
+  // The right wall's normals lie across the step, so that it goes on in the left one, which ends there.
+  Frame frame = shapes::emptyFrame (20, 12);
+  for (int row = 0; row < 12; ++row)
+    for (int column = 0; column < 20; ++column)
+    {
+      const bool is_left = column < 10;
+      frame.set (frame.index (column, row), {0.001 * column, 0.001 * row, is_left ? 1.0 : 1.02},
+                 is_left ? Vector3d (0, 0, -1) : Vector3d (1, 0, -0.05).normalized ());
+      frame.normals.curvature[frame.index (column, row)] = is_left ? 0.01f : 0.0f;
+    }
+  PatchParameters parameters;
+  parameters.maximum_angle = 1.55f;
+  parameters.maximum_distance = 1.0f;
+  parameters.minimum_size = 9;
+  for (const int threads : {1, 2, 4})
+    EXPECT_EQ (patchesOf (frame, parameters, threads).patches.size (), 1u) << threads;
+  for (float& curvature : frame.normals.curvature)
+    curvature = 0.01f - curvature;
+  for (const int threads : {1, 2, 4})
+    EXPECT_EQ (patchesOf (frame, parameters, threads).patches.size (), 2u) << threads;
+}
+
 TEST (PlanarPatches, WithoutPointsOrNormalsThereAreNone)
 {
   const Frame empty = shapes::emptyFrame (20, 10);
   EXPECT_TRUE (patchesOf (empty).patches.empty ());
+  EXPECT_TRUE (patchesOf (empty, PatchParameters (), 2).patches.empty ());
   EXPECT_EQ (patchesOf (empty).labels.size (), 200u);
   Frame frame = shapes::look (shapes::plane ({0, 0, 1}, {0, 0, -1}));
   frame.normals.reset (frame.cloud.size ());

@@ -61,7 +61,7 @@ struct Step
   planes () const
   {
     const std::vector<PyramidLevel> coarser = coarserLevels (frame.cloud, frame.normals, supportLevels (width), 1);
-    return (findSupportingPlanes (frame.cloud, frame.normals, coarser, SupportParameters ()));
+    return (findSupportingPlanes (frame.cloud, estimateSensor (frame.cloud), frame.normals, coarser, SupportParameters ()));
   }
 
   /** \brief The surface around the rectangle is measured, but no plane. */
@@ -144,7 +144,7 @@ TEST (SupportingPlanes, AWallBehindATableIsNotWhatTheTableStandsOn)
       const bool is_table = depth > 0.0 && depth < 1.2;
       scene.set (scene.index (column, row), ray * (is_table ? depth : 1.3), is_table ? up : towards_viewer);
     }
-  const std::vector<SupportingPlane> planes = findSupportingPlanes (scene.cloud, scene.normals, {}, SupportParameters ());
+  const std::vector<SupportingPlane> planes = findSupportingPlanes (scene.cloud, estimateSensor (scene.cloud), scene.normals, {}, SupportParameters ());
   ASSERT_FALSE (planes.empty ());
   EXPECT_TRUE (planes.front ().supports_objects);
   EXPECT_NEAR (planes.front ().coefficients[1], -0.8f, 0.02f);

@@ -150,10 +150,11 @@ struct AttentionSegment
 class PCL_ATTENTION_EXPORTS CompactClustering
 {
 public:
-  /** \param[in] support_patches 1 at [label] for patches that belong to a supporting plane; may be empty */
-  CompactClustering (const OrganizedCloud& cloud, const NormalImage& normals, const PlanarPatches& patches,
-                     const PatchGraph& graph, const std::vector<std::uint8_t>& support_patches,
-                     const ClusteringParameters& parameters);
+  /** \param[in] support_patches 1 at [label] for patches that belong to a supporting plane; may be empty
+    * \param[in] threads number of threads, 0: all processors; for what is made of every patch */
+  CompactClustering (const OrganizedCloud& cloud, const SensorModel& sensor, const NormalImage& normals,
+                     const PlanarPatches& patches, const PatchGraph& graph, const std::vector<std::uint8_t>& support_patches,
+                     const ClusteringParameters& parameters, int threads = 1);
   ~CompactClustering ();
 
   /** \brief Labels of the patches that the object at an attention point starts with, the nearest first (paper IV-B); empty when
@@ -171,10 +172,6 @@ public:
     * \param[in] is_over asked before each piece: whether to leave the others */
   void
   growAhead (const std::function<bool ()>& is_over);
-
-  /** \brief Of the cloud, pixels; 0 where it has too few points to tell. */
-  float
-  focalLength () const { return (focal_length_); }
 
 private:
   /** \brief A sample of a patch's points. */
@@ -240,7 +237,7 @@ private:
   float
   withNoise (float length, float depth) const
   {
-    return (length + parameters_.compactness_noise * depth_noise_ * depth * depth);
+    return (length + parameters_.compactness_noise * sensor_.depth_noise * depth * depth);
   }
 
   /** \brief What kappa of an object that a patch is added to must not reach, metres. */
@@ -350,7 +347,7 @@ private:
   bool
   isBehindSameOccluder (const Piece& object, const Piece& piece);
 
-  /** \brief Work on every patch that an object may have, shared with the threads of the team if the caller is one of it. */
+  /** \brief Work on every patch that an object may have, by several threads. */
   void
   forEachSeed (const std::function<void (int label)>& work) const;
 
@@ -362,8 +359,8 @@ private:
   const PatchGraph& graph_;
   const std::vector<std::uint8_t> support_patches_;
   const ClusteringParameters parameters_;
-  const float focal_length_; /**< pixels */
-  const float depth_noise_;  /**< standard deviation at 1 m, metres */
+  const SensorModel sensor_;
+  const int threads_;
   const std::unique_ptr<HullGrid> hull_grid_;
   std::vector<std::vector<Sample>> samples_;                /**< of label k at [k] */
   std::vector<RowSpans> rows_;                              /**< of label k at [k] */

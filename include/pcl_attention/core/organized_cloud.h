@@ -102,9 +102,4 @@ struct NormalImage
   }
 };
 
-/** \brief Focal length in pixels, estimated from the cloud itself by least squares of column = f x/z + c (and rows alike).
-  * \return 0 when the cloud has too few valid points to tell */
-PCL_ATTENTION_EXPORTS float
-estimateFocalLength (const OrganizedCloud& cloud);
-
 } // namespace pcl_attention

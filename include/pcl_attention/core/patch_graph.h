@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pcl_attention/core/planar_patches.h>
+#include <pcl_attention/core/sensor_model.h>
 
 #include <map>
 #include <utility>
@@ -108,7 +109,7 @@ struct PCL_ATTENTION_EXPORTS PatchGraph
   * \param[in] labels 0 = none, else 1..count
   * \param[in] threads number of threads, 0: all processors */
 PCL_ATTENTION_EXPORTS PatchGraph
-buildPatchGraph (const OrganizedCloud& cloud, const NormalImage& normals, const Image<int>& labels, int count,
-                 const PatchGraphParameters& parameters, int threads = 1);
+buildPatchGraph (const OrganizedCloud& cloud, const SensorModel& sensor, const NormalImage& normals, const Image<int>& labels,
+                 int count, const PatchGraphParameters& parameters, int threads = 1);
 
 } // namespace pcl_attention

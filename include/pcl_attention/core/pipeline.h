@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <tuple>
 
 namespace pcl_attention
@@ -283,6 +284,7 @@ private:
   int threads_{1};
   Eigen::Isometry3f sensor_pose_{Eigen::Isometry3f::Identity ()};
   OrganizedCloud cloud_;
+  SensorModel sensor_; /**< known with the planes */
   KeptResult<NormalImage> normals_;
   std::vector<PyramidLevel> coarser_; /**< until all that needs them is done */
   KeptResult<SaliencyMaps> saliency_;
@@ -311,6 +313,7 @@ private:
   std::vector<Waiting> waiting_; /**< in the order of their points */
   std::map<std::size_t, AttentionSegment> grown_ahead_; /**< at a place of the queue */
   std::vector<std::uint8_t> claimed_; /**< 1 where a segment was found */
+  std::set<std::vector<int>> fruitless_; /**< initial patches from which what was found, or too small, would grow again */
   int segments_found_{0};
   bool expects_all_{false}; /**< so that what is worked out ahead is not in vain */
   StageTimes times_;

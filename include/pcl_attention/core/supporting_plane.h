@@ -30,11 +30,6 @@ struct SupportingPlane
   bool supports_objects{false}; /**< true for the plane that objects stand on; false for other planes of the background */
 };
 
-/** \brief Standard deviation of the depth as sigma = a z^2, with a estimated from the second differences of the inverse depth.
-  * \return a in 1/m; 0 if the cloud is too small or free of noise */
-PCL_ATTENTION_EXPORTS float
-estimateDepthNoise (const OrganizedCloud& cloud);
-
 /** \brief How many times a scene is halved to look for planes in it: until it has at most 160 columns. */
 PCL_ATTENTION_EXPORTS int
 supportLevels (int width);
@@ -44,8 +39,8 @@ supportLevels (int width);
   * \param[in] threads number of threads, 0: all processors
   * \return the plane that objects stand on first, if there is one */
 PCL_ATTENTION_EXPORTS std::vector<SupportingPlane>
-findSupportingPlanes (const OrganizedCloud& cloud, const NormalImage& normals, const std::vector<PyramidLevel>& coarser,
-                      const SupportParameters& parameters, int threads = 1);
+findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, const NormalImage& normals,
+                      const std::vector<PyramidLevel>& coarser, const SupportParameters& parameters, int threads = 1);
 
 /** \brief Which points stand on a plane: above it, at most half a metre, and their feet within its outline.
   * \return 1 for those, of the cloud's size */

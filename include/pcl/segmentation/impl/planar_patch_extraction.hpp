@@ -65,9 +65,9 @@ PlanarPatchExtraction<PointT>::getPatchGraph ()
   pcl_attention::PatchGraph graph;
   if (this->isStarted ())
     this->run ("getPatchGraph", [&] {
-      graph = pcl_attention::buildPatchGraph (pipeline_.cloud (), pipeline_.normals (), patches_.labels,
-                                              static_cast<int> (patches_.patches.size ()), getPatchGraphParameters (),
-                                              pipeline_.threads ());
+      graph = pcl_attention::buildPatchGraph (pipeline_.cloud (), pcl_attention::estimateSensor (pipeline_.cloud ()), pipeline_.normals (),
+                                              patches_.labels, static_cast<int> (patches_.patches.size ()),
+                                              getPatchGraphParameters (), pipeline_.threads ());
       pcl_attention::disconnectSteps (pipeline_.cloud (), patches_, {}, getPatchGraphParameters (), graph);
       return (true);
     });
