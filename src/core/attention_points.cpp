@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "largest_value.h"
+#include "nonzero.h"
 
 #include <pcl_attention/core/attention_points.h>
 #include <pcl_attention/core/winner_take_all.h>
@@ -106,28 +107,30 @@ extractFromSymmetryLines (const Image<float>& saliency, const std::vector<std::u
                           const AttentionPointParameters& parameters, AttentionPoints& result)
 {
   const int width = saliency.width, height = saliency.height;
-  Image<float> map = saliency;
-  for (float& value : map.data)
-    value = ((value > 0.0f) & (value <= std::numeric_limits<float>::max ())) ? value : 0.0f; // no branch: several at a time
+  // Loops without branches and with ends of their own take several pixels at a time.
+  Image<float> map (width, height);
+  std::transform (saliency.data.begin (), saliency.data.end (), map.data.begin (), [] (float value) {
+    return (((value > 0.0f) & (value <= std::numeric_limits<float>::max ())) ? value : 0.0f);
+  });
   const float maximum = largestValue (map), threshold = parameters.pixel_threshold * maximum;
   Image<std::uint8_t> mask (width, height, 0);
-  for (std::size_t index = 0; index < map.size (); ++index)
-    mask[index] = map[index] > threshold;
+  std::transform (map.data.begin (), map.data.end (), mask.data.begin (),
+                  [threshold] (float value) { return (static_cast<std::uint8_t> (value > threshold)); });
   const int count = labelConnectedComponents (mask, result.components);
   result.mean_saliency = meanSaliency (map, result.components, count);
 
   std::vector<std::uint8_t> is_salient (count + 1, 0);
   for (int component = 0; component < count; ++component)
     is_salient[component + 1] = result.mean_saliency[component] > parameters.component_threshold * maximum;
-  for (std::size_t index = 0; index < mask.size (); ++index)
-    mask[index] = is_salient[result.components[index]];
+  std::transform (result.components.data.begin (), result.components.data.end (), mask.data.begin (),
+                  [component = is_salient.data ()] (int label) { return (component[label]); });
   result.skeleton = thin (mask);
 
   std::vector<std::vector<Pixel>> lines (count);
-  for (int row = 0; row < height; ++row)
-    for (int column = 0; column < width; ++column)
-      if (result.skeleton (column, row))
-        lines[result.components (column, row) - 1].push_back ({column, row});
+  forEachNonZero (result.skeleton.data.data (), result.skeleton.data.data () + result.skeleton.size (), [&] (std::ptrdiff_t index) {
+    const int pixel = static_cast<int> (index);
+    lines[result.components[pixel] - 1].push_back ({pixel % width, pixel / width});
+  });
 
   for (int component = 0; component < count; ++component)
   {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "nonzero.h"
+
 #include <pcl_attention/core/skeleton.h>
 
 #include <algorithm>
@@ -95,12 +97,13 @@ public:
   {
     for (int i = 0; i < 8; ++i)
       offsets_[i] = clockwise[i][1] * frame.width + clockwise[i][0];
-    for (std::size_t pixel = 0; pixel < frame_.size (); ++pixel)
-      if (frame_[pixel] && table[neighborhoodOf (pixel)])
+    forEachNonZero (frame_.data.data (), frame_.data.data () + frame_.size (), [this] (std::size_t pixel) {
+      if (table[neighborhoodOf (pixel)])
       {
         frame_[pixel] |= listed;
         list_.push_back (pixel);
       }
+    });
   }
 
   /** \brief One half-iteration.
@@ -260,14 +263,11 @@ labelConnectedComponents (const Image<std::uint8_t>& mask, Image<int>& labels)
     const int row_begin = static_cast<int> (runs.size ());
     for (int column = 0; column < mask.width;)
     {
+      column = static_cast<int> (findNonZero (pixels + column, pixels + mask.width) - pixels);
+      if (column == mask.width)
+        break;
       const auto* const next = static_cast<const std::uint8_t*> (std::memchr (pixels + column, 0, mask.width - column));
       const int end = next ? static_cast<int> (next - pixels) : mask.width;
-      if (end == column)
-      {
-        while (column < mask.width && !pixels[column])
-          ++column;
-        continue;
-      }
       const int run = static_cast<int> (runs.size ());
       runs.push_back ({row, column, end, run});
       while (above < above_end && runs[above].end < column)
@@ -299,8 +299,8 @@ thin (const Image<std::uint8_t>& mask)
 {
   Image<std::uint8_t> frame (mask.width + 2, mask.height + 2, 0);
   for (int row = 0; row < mask.height; ++row)
-    for (int column = 0; column < mask.width; ++column)
-      frame (column + 1, row + 1) = mask (column, row) != 0;
+    std::transform (&mask[row * mask.width], &mask[row * mask.width] + mask.width, &frame (1, row + 1),
+                    [] (std::uint8_t value) { return (static_cast<std::uint8_t> (value != 0)); });
   Peeler peeler (frame);
   bool changed = true;
   while (changed)
@@ -312,12 +312,10 @@ thin (const Image<std::uint8_t>& mask)
   Image<std::uint8_t> skeleton (mask.width, mask.height, 0);
   std::vector<Pixel> candidates;
   for (int row = 0; row < mask.height; ++row)
-    for (int column = 0; column < mask.width; ++column)
-      if (frame (column + 1, row + 1))
-      {
-        skeleton (column, row) = 1;
-        candidates.push_back ({column, row});
-      }
+    forEachNonZero (&frame (1, row + 1), &frame (1, row + 1) + mask.width, [&] (std::ptrdiff_t column) {
+      skeleton (static_cast<int> (column), row) = 1;
+      candidates.push_back ({static_cast<int> (column), row});
+    });
   // What is left may be two pixels wide at corners; each goes that the 8-connected line does not need. On ragged shapes one that goes
   // makes another one needless.
   do

@@ -168,10 +168,10 @@ gatherPositions (const PositionAt& position_at, const pcl::Indices* indices, con
 {
   const Eigen::Isometry3f to_sensor = sensor_pose.inverse ();
   const bool moved = !to_sensor.matrix ().isIdentity (0.0f);
-  // Pointers of their own: a byte that is written might otherwise change those of the vectors.
+  // Copies of all that points somewhere: a byte that is written might otherwise change it.
   float *const x = flat.x.data (), *const y = flat.y.data (), *const z = flat.z.data ();
   std::uint8_t* const is_valid = flat.valid.data ();
-  const auto take = [=, &position_at] (std::size_t index) {
+  const auto take = [=] (std::size_t index) {
     const auto& point = position_at (index);
     Eigen::Vector3f position (point.x, point.y, point.z);
     if (moved)
@@ -193,11 +193,14 @@ gatherPositions (const PositionAt& position_at, const pcl::Indices* indices, con
   }
   forEachBand (flat.height, gathered_rows, threads, [&] (int begin, int end) {
     const std::size_t width = flat.width;
+    const auto take_one = take;
+    const auto take_more = gather_more;
     for (std::size_t first = begin * width; first < end * width; first += width)
     {
-      for (std::size_t index = first; index < first + width && !indices; ++index)
-        take (index);
-      gather_more (first, first + width);
+      if (!indices)
+        for (std::size_t index = first; index < first + width; ++index)
+          take_one (index);
+      take_more (first, first + width);
     }
   });
 }
@@ -211,14 +214,14 @@ void
 gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices, OrganizedCloud& flat, int threads)
 {
   flat.resize (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
-  const auto point_at = [&cloud] (std::size_t index) -> const PointT& { return (cloud[index]); };
+  const PointT* const points = cloud.data ();
+  const auto point_at = [points] (std::size_t index) -> const PointT& { return (points[index]); };
   if constexpr (HasRgb<PointT>::value)
   {
     flat.red.resize (cloud.size ());
     flat.green.resize (cloud.size ());
     flat.blue.resize (cloud.size ());
     std::uint8_t *const red = flat.red.data (), *const green = flat.green.data (), *const blue = flat.blue.data ();
-    const PointT* const points = cloud.data ();
     gatherPositions (point_at, indices, sensorPose (cloud), flat, threads, [=] (std::size_t begin, std::size_t end) {
       for (std::size_t index = begin; index < end; ++index)
       {
