@@ -143,9 +143,13 @@ public:
     const pcl::Indices samples = evenSamples (pixels);
     smallest_ = static_cast<int> ((smallest_side * samples.size () + pixels.size () - 1) / pixels.size ());
     PointMoments sums;
+    columns_.resize (static_cast<Eigen::Index> (samples.size ()));
+    rows_.resize (columns_.size ());
     for (const pcl::index_t index : samples)
     {
-      places_.emplace_back (index % cloud.width, index / cloud.width);
+      const auto place = static_cast<Eigen::Index> (points_.size ());
+      columns_[place] = index % cloud.width;
+      rows_[place] = index / cloud.width;
       points_.push_back (pointAt (cloud, index));
       sums.add (points_.back ());
       if (cloud.hasColor ())
@@ -314,7 +318,11 @@ private:
   }
 
   double
-  beyondOf (const Line& line, std::size_t i) const { return (line.direction.dot (places_[i]) - line.offset); }
+  beyondOf (const Line& line, std::size_t i) const
+  {
+    const auto place = static_cast<Eigen::Index> (i);
+    return (line.direction.x () * columns_[place] + line.direction.y () * rows_[place] - line.offset);
+  }
 
   static constexpr int directions = 8, coarse_parts = 16, fine_parts = 32;
   static constexpr double apart = 3.14159265358979 / directions; /**< radians */
@@ -350,19 +358,15 @@ private:
   tryCuts (double angle, int parts, const Add& addTo, const Judge& residualOf, Cut& best) const
   {
     const Eigen::Vector2d direction (std::cos (angle), std::sin (angle));
-    double low = std::numeric_limits<double>::infinity (), high = -low;
-    for (const Eigen::Vector2d& place : places_)
-    {
-      const double along = direction.dot (place);
-      low = std::min (low, along);
-      high = std::max (high, along);
-    }
+    const Eigen::ArrayXd along = direction.x () * columns_ + direction.y () * rows_;
+    const double low = along.minCoeff (), high = along.maxCoeff ();
     const double width = (high - low) / parts;
     if (!(width > 0.0))
       return;
+    const Eigen::ArrayXi strip_of = ((along - low) / width).cast<int> ().min (parts - 1);
     std::vector<Sums> strips (parts);
     for (std::size_t i = 0; i < points_.size (); ++i)
-      addTo (i, strips[std::min (parts - 1, static_cast<int> ((direction.dot (places_[i]) - low) / width))]);
+      addTo (i, strips[strip_of[static_cast<Eigen::Index> (i)]]);
     Sums before, behind;
     for (int k = 0; k < parts; ++k)
       behind += strips[k];
@@ -379,7 +383,7 @@ private:
   static constexpr double none = std::numeric_limits<double>::infinity (); /**< of a cut with too few points on one side */
 
   const PatchGraphParameters& parameters_;
-  std::vector<Eigen::Vector2d> places_; /**< column, row */
+  Eigen::ArrayXd columns_, rows_; /**< of each point */
   std::vector<Eigen::Vector3f> points_;
   std::vector<HexconeHistogram::Shares> colors_; /**< of each point; empty without colour */
   std::vector<LocalMoments> local_; /**< of each point */

@@ -48,7 +48,7 @@ public:
     {
       const int before = row * cloud.width;
       for (int column = 0; column < cloud.width; ++column)
-        is_open[column] = (cloud.valid[before + column] != 0) & (normals.valid[before + column] != 0) & (labels[before + column] == 0);
+        is_open[column] = cloud.valid[before + column] & normals.valid[before + column] & static_cast<int> (labels[before + column] == 0);
       for (auto begin = is_open.begin (), end = begin; (begin = std::find (end, is_open.end (), 1)) != is_open.end ();)
       {
         end = std::find (begin, is_open.end (), 0);

@@ -147,6 +147,7 @@ checkPoint (const AttentionPoint& point, const pcl::PointCloud<PointT>& cloud)
   return ("");
 }
 
+/** \brief What is gathered besides the positions of a cloud without colours. */
 struct NothingMore
 {
   void
