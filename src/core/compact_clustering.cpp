@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image_outline.h"
+#include "nonzero.h"
 #include "object_hull.h"
 #include "patch_groups.h"
 #include "point_at.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <set>
 
 namespace pcl_attention
@@ -914,13 +914,8 @@ CompactClustering::pixelsOf (const Piece& object) const
         taken[index - before] = 1;
   pcl::Indices pixels;
   pixels.reserve (object.pixels);
-  const std::uint8_t *const begin = taken.data (), *const end = begin + taken.size ();
-  const auto next = [end] (const std::uint8_t* from) {
-    return (static_cast<const std::uint8_t*> (std::memchr (from, 1, end - from)));
-  };
-  for (const std::uint8_t* at = next (begin); at; at = next (at))
-    for (; at < end && *at; ++at)
-      pixels.push_back (before + static_cast<pcl::index_t> (at - begin));
+  forEachNonZero (taken.data (), taken.data () + taken.size (),
+                  [&] (std::ptrdiff_t at) { pixels.push_back (before + static_cast<pcl::index_t> (at)); });
   return (pixels);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -21,12 +22,27 @@ findNonZero (const std::uint8_t* begin, const std::uint8_t* end)
   return (std::find_if (begin, end, [] (std::uint8_t value) { return (value != 0); }));
 }
 
+/** \brief Visit the runs of values that are not 0, each by its first place and the one behind its last. */
+template <typename Visit> void
+forEachRun (const std::uint8_t* begin, const std::uint8_t* end, const Visit& visit)
+{
+  for (const std::uint8_t* at = begin; (at = findNonZero (at, end)) != end;)
+  {
+    const std::uint8_t* const run = at;
+    const void* const zero = std::memchr (run, 0, static_cast<std::size_t> (end - run));
+    at = zero ? static_cast<const std::uint8_t*> (zero) : end;
+    visit (run - begin, at - begin);
+  }
+}
+
 /** \brief Visit the places of all values that are not 0. */
 template <typename Visit> void
 forEachNonZero (const std::uint8_t* begin, const std::uint8_t* end, const Visit& visit)
 {
-  for (const std::uint8_t* at = findNonZero (begin, end); at != end; at = findNonZero (at + 1, end))
-    visit (at - begin);
+  forEachRun (begin, end, [&visit] (std::ptrdiff_t first, std::ptrdiff_t behind) {
+    for (; first < behind; ++first)
+      visit (first);
+  });
 }
 
 } // namespace pcl_attention

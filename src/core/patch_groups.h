@@ -3,9 +3,10 @@
 
 #include <pcl_attention/core/patch_graph.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace pcl_attention
@@ -21,24 +22,18 @@ std::vector<int>
 groupsOf (const PatchGraph& graph, std::size_t count, const std::vector<std::uint8_t>& excluded, const Leads& leads)
 {
   const auto isExcluded = [&] (int label) { return (!excluded.empty () && excluded[label]); };
-  std::vector<int> parent (count + 1);
-  std::iota (parent.begin (), parent.end (), 0);
-  const auto root = [&] (int label) {
-    while (parent[label] != label)
-      label = parent[label] = parent[parent[label]];
-    return (label);
-  };
+  boost::disjoint_sets_with_storage<> linked (count + 1);
   for (const auto& [labels, border] : graph.borders)
     if (!isExcluded (labels.first) && !isExcluded (labels.second) && leads (border))
-      parent[root (labels.second)] = root (labels.first);
+      linked.union_set (labels.first, labels.second);
 
-  std::vector<int> group (parent.size (), 0), group_of_root (parent.size (), 0);
+  std::vector<int> group (count + 1, 0), group_of_set (count + 1, 0);
   int groups = 0;
   for (int label = 1; label < static_cast<int> (group.size ()); ++label)
   {
     if (isExcluded (label))
       continue;
-    int& number = group_of_root[root (label)];
+    int& number = group_of_set[linked.find_set (label)];
     if (number == 0)
       number = ++groups;
     group[label] = number;

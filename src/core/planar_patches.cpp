@@ -27,29 +27,13 @@ public:
   void
   add (const OrganizedCloud& cloud, int begin, int end)
   {
+    count_ += end - begin;
     int pixel = begin;
     for (; pixel + together <= end; pixel += together)
       add (Stored (&cloud.x[pixel]).cast<double> (), Stored (&cloud.y[pixel]).cast<double> (), Stored (&cloud.z[pixel]).cast<double> ());
-    count_ += pixel - begin;
+    const auto alone = [] (double value) { return (Several (value, 0.0, 0.0, 0.0)); };
     for (; pixel < end; ++pixel)
-      add (cloud, pixel);
-  }
-
-  /** \brief Add a pixel. */
-  void
-  add (const OrganizedCloud& cloud, int pixel)
-  {
-    const double x = cloud.x[pixel], y = cloud.y[pixel], z = cloud.z[pixel];
-    ++count_;
-    sums_[0][0] += x;
-    sums_[1][0] += y;
-    sums_[2][0] += z;
-    squares_[0][0] += x * x;
-    squares_[1][0] += x * y;
-    squares_[2][0] += x * z;
-    squares_[3][0] += y * y;
-    squares_[4][0] += y * z;
-    squares_[5][0] += z * z;
+      add (alone (cloud.x[pixel]), alone (cloud.y[pixel]), alone (cloud.z[pixel]));
   }
 
   PatchSums&
@@ -213,7 +197,7 @@ assignLeftOvers (const OrganizedCloud& cloud, float maximum_distance, int thread
       if (best[i])
       {
         labels[front[i]] = best[i];
-        sums[best[i] - 1].add (cloud, front[i]);
+        sums[best[i] - 1].add (cloud, front[i], front[i] + 1);
       }
     for (std::size_t i = 0; i < front.size (); ++i)
       if (best[i])

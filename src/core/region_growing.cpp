@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "nonzero.h"
 #include "point_at.h"
 #include "region_growing.h"
 
@@ -49,13 +50,11 @@ public:
       const int before = row * cloud.width;
       for (int column = 0; column < cloud.width; ++column)
         is_open[column] = cloud.valid[before + column] & normals.valid[before + column] & static_cast<int> (labels[before + column] == 0);
-      for (auto begin = is_open.begin (), end = begin; (begin = std::find (end, is_open.end (), 1)) != is_open.end ();)
-      {
-        end = std::find (begin, is_open.end (), 0);
-        runs_.push_back ({before + static_cast<int> (begin - is_open.begin ()), before + static_cast<int> (end - is_open.begin ())});
+      forEachRun (is_open.data (), is_open.data () + is_open.size (), [&] (std::ptrdiff_t begin, std::ptrdiff_t end) {
+        runs_.push_back ({before + static_cast<int> (begin), before + static_cast<int> (end)});
         for (int pixel = runs_.back ().begin; pixel < runs_.back ().end; ++pixel)
           set (pixel, open);
-      }
+      });
       set (before, get (before) | first_column);
       set (before + cloud.width - 1, get (before + cloud.width - 1) | last_column);
     }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <queue>
 
@@ -261,24 +260,17 @@ labelConnectedComponents (const Image<std::uint8_t>& mask, Image<int>& labels)
   {
     const std::uint8_t* const pixels = &mask (0, row);
     const int row_begin = static_cast<int> (runs.size ());
-    for (int column = 0; column < mask.width;)
-    {
-      column = static_cast<int> (findNonZero (pixels + column, pixels + mask.width) - pixels);
-      if (column == mask.width)
-        break;
-      const auto* const next = static_cast<const std::uint8_t*> (std::memchr (pixels + column, 0, mask.width - column));
-      const int end = next ? static_cast<int> (next - pixels) : mask.width;
-      const int run = static_cast<int> (runs.size ());
-      runs.push_back ({row, column, end, run});
-      while (above < above_end && runs[above].end < column)
+    forEachRun (pixels, pixels + mask.width, [&] (std::ptrdiff_t first, std::ptrdiff_t behind) {
+      const int begin = static_cast<int> (first), end = static_cast<int> (behind), run = static_cast<int> (runs.size ());
+      runs.push_back ({row, begin, end, run});
+      while (above < above_end && runs[above].end < begin)
         ++above;
       for (int other = above; other < above_end && runs[other].begin <= end; ++other)
       {
         const int a = rootOf (run), b = rootOf (other);
         runs[std::max (a, b)].parent = std::min (a, b);
       }
-      column = end;
-    }
+    });
     above = row_begin;
     above_end = static_cast<int> (runs.size ());
   }

@@ -158,8 +158,8 @@ struct NothingMore
 /** \brief Gather points into flat arrays in the sensor frame. Those that are not finite, or that lie in or behind the
  * viewpoint, are not valid.
  * \param[in] position_at gives the point of an index, as anything with members x, y and z, in metres
- * \param[in] indices the points to take, the others are not valid; null takes all
- * \param[in,out] flat of the right size, whatever is in it
+ * \param[in] indices the points to take, the others stay as they are; null takes all
+ * \param[in,out] flat of the right size
  * \param[in] threads 0: all processors
  * \param[in] gather_more of a row, from its first index to the one behind its last, while its points are in the cache */
 template <typename PositionAt, typename GatherMore = NothingMore>
@@ -185,13 +185,8 @@ gatherPositions (const PositionAt& position_at, const pcl::Indices* indices, con
     z[index] = valid ? position.z () : 0.0f;
   };
   if (indices)
-  {
-    std::fill (flat.valid.begin (), flat.valid.end (), std::uint8_t{0});
-    for (std::vector<float>* values : {&flat.x, &flat.y, &flat.z})
-      std::fill (values->begin (), values->end (), 0.0f);
     for (const pcl::index_t index : *indices)
       take (static_cast<std::size_t> (index));
-  }
   forEachBand (flat.height, gathered_rows, threads, [&] (int begin, int end) {
     const std::size_t width = flat.width;
     const auto take_one = take;
@@ -207,14 +202,15 @@ gatherPositions (const PositionAt& position_at, const pcl::Indices* indices, con
 }
 
 /** \brief Gather a cloud with its colours.
- * \param[in] indices see \ref gatherPositions
+ * \param[in] indices the points to take, the others are not valid; null takes all
  * \param[in,out] flat any cloud, whose memory is used again
  * \param[in] threads 0: all processors */
 template <typename PointT>
 void
 gather (const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices, OrganizedCloud& flat, int threads)
 {
-  flat.resize (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
+  const auto width = static_cast<int> (cloud.width), height = static_cast<int> (cloud.height);
+  indices ? flat.reset (width, height) : flat.resize (width, height);
   const PointT* const points = cloud.data ();
   const auto point_at = [points] (std::size_t index) -> const PointT& { return (points[index]); };
   if constexpr (HasRgb<PointT>::value)
