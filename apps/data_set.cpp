@@ -273,6 +273,20 @@ readLabels (const std::string& file, const pcl::PointCloud<pcl::PointXYZRGBL>& c
   }
 }
 
+/** \brief A labelled cloud with a sensor pose that sees its points, as the other programs take it: from another nothing
+ * would be found. */
+LabelledScene
+loadLabelledCloud (const std::string& path)
+{
+  LabelledScene labelled = loadLabelledScene (path);
+  const pcl::PointCloud<pcl::PointXYZRGB>::Ptr points (new pcl::PointCloud<pcl::PointXYZRGB>);
+  pcl::copyPointCloud (*labelled.cloud, *points);
+  const Scene seen = makeSceneOf (points, path, true);
+  labelled.cloud->sensor_origin_ = seen.cloud->sensor_origin_;
+  labelled.cloud->sensor_orientation_ = seen.cloud->sensor_orientation_;
+  return (labelled);
+}
+
 } // namespace
 
 std::vector<std::string>
@@ -313,7 +327,7 @@ LabelledScene
 loadScene (const SceneSource& source, const DataSetOptions& options)
 {
   if (source.labels.empty () && source.masks.empty ())
-    return (loadLabelledScene (source.points));
+    return (loadLabelledCloud (source.points));
   SceneOptions scene_options = options.scene;
   scene_options.color = source.color;
   const Scene scene = readScene (source.points, scene_options);

@@ -158,6 +158,35 @@ TEST_F (DataSets, labelledClouds)
   EXPECT_EQ (source.category, "stacked");
 }
 
+TEST_F (DataSets, aSensorPoseThatCannotHaveSeenThePointsIsMended)
+{
+  pcl::PointCloud<pcl::PointXYZRGBL> y_up = *cloud_; // with the pose of a camera that looks the other way
+  for (pcl::PointXYZRGBL& point : y_up)
+  {
+    point.y = -point.y;
+    point.z = -point.z;
+  }
+  pcl::io::savePCDFileBinary (make ("up/scene.pcd"), y_up);
+  pcl::io::savePCDFileBinary (make ("down/scene.pcd"), *cloud_);
+  const auto forward = [&] (const std::string& folder) -> Eigen::Vector3f {
+    const auto scene = loadScene (listSceneSources ({folder_ / folder}, {}).front (), {});
+    EXPECT_TRUE (scene.cloud->sensor_origin_.isZero ());
+    return (scene.cloud->sensor_orientation_ * Eigen::Vector3f::UnitZ ());
+  };
+  EXPECT_TRUE (forward ("up").isApprox (-Eigen::Vector3f::UnitZ ()));
+  EXPECT_TRUE (forward ("down").isApprox (Eigen::Vector3f::UnitZ ()));
+}
+
+TEST_F (DataSets, aLabelledCloudWithoutAnyPointIsAnError)
+{
+  pcl::PointCloud<pcl::PointXYZRGBL> holes = *cloud_;
+  for (pcl::PointXYZRGBL& point : holes)
+    point.x = point.y = point.z = std::numeric_limits<float>::quiet_NaN ();
+  pcl::io::savePCDFileBinary (make ("holes/scene.pcd"), holes);
+  const SceneSource source = listSceneSources ({folder_ / "holes"}, {}).front ();
+  EXPECT_EQ (test::messageOf ([&] { loadScene (source, {}); }).find (source.points + ": no valid point"), 0u);
+}
+
 TEST_F (DataSets, osd)
 {
   writeOsd ("osd");
