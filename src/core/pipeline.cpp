@@ -779,6 +779,32 @@ AttentionPipeline::isDuplicate (const AttentionSegment& segment) const
   return (2 * static_cast<std::size_t> (claimed) > segment.indices.size ());
 }
 
+namespace
+{
+
+/** \brief How many pixels lie between each of a mask and the nearest that is none, itself included, along rows, columns
+ * and diagonals; what lies beyond the image is none. */
+Image<int>
+depthsInside (const Image<std::uint8_t>& mask)
+{
+  Image<int> depths (mask.width, mask.height, 0);
+  const auto at = [&] (int column, int row) { return (depths.contains (column, row) ? depths (column, row) : 0); };
+  for (int row = 0; row < mask.height; ++row)
+    for (int column = 0; column < mask.width; ++column)
+      if (mask (column, row))
+        depths (column, row) = 1 + std::min ({at (column - 1, row), at (column - 1, row - 1), at (column, row - 1),
+                                              at (column + 1, row - 1)});
+  for (int row = mask.height - 1; row >= 0; --row)
+    for (int column = mask.width - 1; column >= 0; --column)
+      if (mask (column, row))
+        depths (column, row) = std::min (depths (column, row),
+                                         1 + std::min ({at (column + 1, row), at (column + 1, row + 1),
+                                                        at (column, row + 1), at (column - 1, row + 1)}));
+  return (depths);
+}
+
+} // namespace
+
 void
 AttentionPipeline::moveInside (AttentionSegment& segment) const
 {
@@ -794,16 +820,9 @@ AttentionPipeline::moveInside (AttentionSegment& segment) const
     if (member.contains (column, row))
       member (column, row) = 1;
   }
-  // Depth inside the segment, in pixels; beyond twice the margin deeper is no better.
-  const auto depth = [&] (int column, int row) {
-    for (int ring = 0; ring <= 2 * margin; ++ring)
-      for (int step = -ring; step <= ring; ++step)
-        for (const auto& [c, r] : {std::pair<int, int> (column + step, row - ring), {column + step, row + ring},
-                                   {column - ring, row + step}, {column + ring, row + step}})
-          if (!member.contains (c, r) || !member (c, r))
-            return (ring);
-    return (2 * margin);
-  };
+  const Image<int> depths = depthsInside (member);
+  // Beyond twice the margin deeper is no better.
+  const auto depth = [&] (int column, int row) { return (std::min (depths (column, row), 2 * margin)); };
   if (depth (around, around) >= margin)
     return;
   float best_score = -1e9f;

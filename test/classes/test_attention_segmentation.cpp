@@ -401,18 +401,27 @@ TEST_F (Segmentation, MovesAFixationAtTheContourInside)
   const int column = object.indices.front () % 320, row = object.indices.front () / 320;
   ASSERT_GE (row, 1);
   ASSERT_FALSE (isMember (column, row - 1));
-  segmentation.setAttentionPoints ({pointAt (column, row)});
-  pcl_attention::AttentionParameters parameters;
-  parameters.segmentation.coverage = false;
-  parameters.segmentation.fixation_margin = 2;
-  segmentation.setParameters (parameters);
-  const std::vector<pcl::AttentionSegment> segments = segment ();
-  ASSERT_EQ (segments.size (), 1u);
-  ASSERT_EQ (segments[0].indices, object.indices);
-  const pcl::AttentionPoint& moved = segments[0].attention_point;
-  for (int r = moved.row - 1; r <= moved.row + 1; ++r)
-    for (int c = moved.column - 1; c <= moved.column + 1; ++c)
-      EXPECT_TRUE (isMember (c, r)) << c << ", " << r;
+  for (const int margin : {0, 1, 2, 5})
+  {
+    segmentation.setAttentionPoints ({pointAt (column, row)});
+    pcl_attention::AttentionParameters parameters;
+    parameters.segmentation.coverage = false;
+    parameters.segmentation.fixation_margin = margin;
+    segmentation.setParameters (parameters);
+    const std::vector<pcl::AttentionSegment> segments = segment ();
+    ASSERT_EQ (segments.size (), 1u);
+    ASSERT_EQ (segments[0].indices, object.indices);
+    const pcl::AttentionPoint& moved = segments[0].attention_point;
+    if (margin <= 1) // it is in the first row of the object already
+    {
+      EXPECT_EQ (std::make_pair (moved.column, moved.row), std::make_pair (column, row));
+    }
+    for (int r = moved.row - margin + 1; r < moved.row + margin; ++r)
+      for (int c = moved.column - margin + 1; c < moved.column + margin; ++c)
+        EXPECT_TRUE (isMember (c, r)) << "margin " << margin << ": " << c << ", " << r;
+    // No farther than it takes: what lies twice the margin deep is deep enough.
+    EXPECT_LE (std::hypot (moved.column - column, moved.row - row), 4.0 * margin);
+  }
 }
 
 TEST_F (Segmentation, GivesNoObjectTwiceThatIsReachedFromBesideIt)

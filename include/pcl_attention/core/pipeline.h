@@ -25,7 +25,7 @@ struct SegmentationParameters
                                      something is asked for */
   bool inhibition_of_return{true}; /**< skip attention points that lie in an earlier segment or lead to one again */
   float full_size{0.01f};          /**< smaller segments are less salient by as much, m^2 of frontal area; 0: off */
-  int fixation_margin{4};          /**< a fixation nearer than this to its segment's contour moves inside, pixels; 0: off */
+  int fixation_margin{8};          /**< a fixation nearer than this to its segment's contour moves inside, pixels; 0: off */
   bool coverage{true};             /**< every patch that no segment claims becomes an attention point, after all others; with
                                      a supporting plane only what stands on it */
   int coverage_size{100};          /**< smaller patches do not, pixels */
