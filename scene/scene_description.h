@@ -190,7 +190,8 @@ enum class SceneKind
   single_cylinder,
   single_sphere,
   single_bowl,
-  single_mug
+  single_mug,
+  filled /**< pairs: a bowl and what stands in it */
 };
 
 const std::vector<SceneKind>& allSceneKinds ();
@@ -201,7 +202,7 @@ std::string sceneKindName (SceneKind kind);
 /** \return the kind of that name, nothing where there is none */
 std::optional<SceneKind> sceneKindFromName (const std::string& name);
 
-/** \brief A random scene of one kind. Objects stand on the table (world z = 0, z up) or on another object, do not
+/** \brief A random scene of one kind. Objects stand on the table (world z = 0, z up), on or in another object, do not
  * penetrate each other and are whole inside the image; the Kinect looks down at 35 to 45 degrees from about 1 m.
  * \param[in] kind
  * \param[in] seed the same seed gives the same scene

@@ -25,7 +25,7 @@ struct KindName
   const char* name;
 };
 
-constexpr std::array<KindName, 14> kind_names{{{SceneKind::clutter, "clutter"},
+constexpr std::array<KindName, 15> kind_names{{{SceneKind::clutter, "clutter"},
                                                {SceneKind::boxes, "boxes"},
                                                {SceneKind::stacked, "stacked"},
                                                {SceneKind::occluded, "occluded"},
@@ -38,7 +38,8 @@ constexpr std::array<KindName, 14> kind_names{{{SceneKind::clutter, "clutter"},
                                                {SceneKind::single_cylinder, "single_cylinder"},
                                                {SceneKind::single_sphere, "single_sphere"},
                                                {SceneKind::single_bowl, "single_bowl"},
-                                               {SceneKind::single_mug, "single_mug"}}};
+                                               {SceneKind::single_mug, "single_mug"},
+                                               {SceneKind::filled, "filled"}}};
 
 /** \brief One random number after the other. */
 class Random
@@ -165,7 +166,7 @@ public:
     buildTable ();
     if (kind_ == SceneKind::empty_table)
       return (scene_);
-    if (kind_ >= SceneKind::single_box)
+    if (isSingle ())
       n_objects = 1;
     else if (n_objects == 0)
       n_objects = usualNumber ();
@@ -175,10 +176,16 @@ public:
   }
 
 private:
+  bool
+  isSingle () const
+  {
+    return (kind_ >= SceneKind::single_box && kind_ <= SceneKind::single_mug);
+  }
+
   unsigned
   usualNumber ()
   {
-    if (kind_ == SceneKind::occluded) // pairs
+    if (kind_ == SceneKind::occluded || kind_ == SceneKind::filled) // pairs
       return (random_.chance (0.5) ? 6 : 8);
     const unsigned least = kind_ == SceneKind::clutter ? 8 : kind_ == SceneKind::separate ? 5 : 6;
     return (least + static_cast<unsigned> (random_.index (4)));
@@ -253,6 +260,7 @@ private:
       const double shrink = 1.0 - 0.6 * attempt / max_attempts;
       object.size *= shrink;
       object.pose.translation () *= shrink; // its height above the table
+      container_ = 0;
       place (object, number);
       if (!isPlaceFree (object))
         continue;
@@ -271,6 +279,7 @@ private:
                                                  SceneShape::mug,      SceneShape::sphere};
     static const std::array<SceneShape, 5> round{SceneShape::cylinder, SceneShape::cylinder, SceneShape::cylinder,
                                                  SceneShape::bowl, SceneShape::mug};
+    static const std::array<SceneShape, 4> contents{SceneShape::cylinder, SceneShape::cylinder, SceneShape::box, SceneShape::sphere};
     switch (kind_)
     {
     case SceneKind::boxes:
@@ -281,6 +290,8 @@ private:
       return (number % 2 == 0 || random_.chance (0.4) ? SceneShape::box : SceneShape::cylinder);
     case SceneKind::cylinders:
       return (round[random_.index (round.size ())]);
+    case SceneKind::filled:
+      return (number % 2 == 0 ? SceneShape::bowl : contents[random_.index (contents.size ())]);
     case SceneKind::single_cylinder:
       return (SceneShape::cylinder);
     case SceneKind::single_sphere:
@@ -311,19 +322,21 @@ private:
     case SceneShape::cylinder:
       if (kind_ == SceneKind::occluded)
         size << Vector2d::Constant (random_.uniform (0.045, 0.065)), random_.uniform (0.17, 0.25);
+      else if (kind_ == SceneKind::filled)
+        size << Vector2d::Constant (random_.uniform (0.04, 0.075)), random_.uniform (0.06, 0.14);
       else if (random_.chance (0.5)) // a tin
         size << Vector2d::Constant (random_.uniform (0.06, 0.10)), random_.uniform (0.06, 0.13);
       else // a bottle, a roll
         size << Vector2d::Constant (random_.uniform (0.04, 0.08)), random_.uniform (0.14, 0.26);
-      is_lying = kind_ != SceneKind::occluded && random_.chance (0.3);
+      is_lying = kind_ != SceneKind::occluded && kind_ != SceneKind::filled && random_.chance (0.3);
       break;
     case SceneShape::sphere:
-      size.setConstant (random_.uniform (0.05, 0.17));
+      size.setConstant (random_.uniform (0.05, kind_ == SceneKind::filled ? 0.09 : 0.17));
       break;
     case SceneShape::bowl:
       size.head<2> ().setConstant (random_.uniform (0.12, 0.22));
       size.z () = size.x () * random_.uniform (0.3, 0.48);
-      is_turned_over = kind_ != SceneKind::single_bowl && random_.chance (0.2);
+      is_turned_over = kind_ != SceneKind::single_bowl && kind_ != SceneKind::filled && random_.chance (0.2);
       break;
     case SceneShape::mug:
       size << Vector2d::Constant (random_.uniform (0.07, 0.095)), random_.uniform (0.08, 0.115);
@@ -350,6 +363,8 @@ private:
         return {random_.uniform (0.18, 0.26), random_.uniform (0.04, 0.06), random_.uniform (0.06, 0.09)};
       return {random_.uniform (0.045, 0.065), random_.uniform (0.03, 0.05), random_.uniform (0.17, 0.25)};
     }
+    if (kind_ == SceneKind::filled)
+      return {random_.uniform (0.03, 0.07), random_.uniform (0.03, 0.05), random_.uniform (0.06, 0.12)};
     if (kind_ == SceneKind::stacked)
       return {random_.uniform (0.12, 0.24), random_.uniform (0.10, 0.18), random_.uniform (0.04, 0.11)};
     switch (random_.index (4))
@@ -399,11 +414,13 @@ private:
       placeOn (object, scene_.objects.back ());
     else if (kind_ == SceneKind::occluded && number % 2 != 0 && !is_first)
       placeInFrontOf (object, scene_.objects.back ());
+    else if (kind_ == SceneKind::filled && number % 2 != 0 && !is_first)
+      placeIn (object, scene_.objects.back ());
     else if (kind_ == SceneKind::clutter && !is_first && random_.chance (0.15))
       placeOn (object, scene_.objects[random_.index (scene_.objects.size ())]);
     else if (kind_ != SceneKind::separate && kind_ != SceneKind::occluded && !is_first && random_.chance (0.5))
       placeBeside (object, scene_.objects[random_.index (scene_.objects.size ())]);
-    else if (kind_ >= SceneKind::single_box)
+    else if (isSingle ())
       moveTo (object, {random_.uniform (-0.08, 0.08), random_.uniform (-0.08, 0.08)});
     else if (kind_ == SceneKind::clutter)
       moveTo (object, {random_.uniform (-0.35, 0.35), random_.uniform (-0.32, 0.28)});
@@ -435,6 +452,21 @@ private:
     const Vector3d top = below.pose * Vector3d (x, y, 0.5 * below.size.z ());
     moveTo (object, top.head<2> ());
     object.pose.translation ().z () += top.z ();
+  }
+
+  /** \brief Upright in the middle of a bowl, as deep as its inner sphere lets it; not in another thing, nor where it is too wide. */
+  void
+  placeIn (SceneObject& object, const SceneObject& bowl)
+  {
+    moveTo (object, bowl.pose.translation ().head<2> ());
+    const bool is_round = object.shape == SceneShape::sphere;
+    const double inner = bowl.bowlCenter () + 0.5 * (bowl.size.z () - bowl.wall_thickness);
+    const double radius = (object.shape == SceneShape::box ? 0.5 : 0.5 / std::sqrt (2.0)) * object.size.head<2> ().norm ();
+    if (bowl.shape != SceneShape::bowl || radius > 0.6 * 0.5 * bowl.size.x ())
+      return; // where it does not fit, as the caller will find
+    const double bottom = bowl.bowlCenter () - (is_round ? inner : std::sqrt (inner * inner - radius * radius));
+    object.pose.translation ().z () = bowl.pose.translation ().z () + bottom + 0.5 * object.size.z ();
+    container_ = bowl.label;
   }
 
   /** \brief Towards the camera, with a narrow gap, a little to the side. */
@@ -477,7 +509,7 @@ private:
     const Footprint footprint (object);
     const bool is_separate = kind_ == SceneKind::separate;
     for (const SceneObject& other : scene_.objects)
-      if (gap (footprint, Footprint (other)) < (is_separate ? 0.03 : 0.999 * contact_gap))
+      if (other.label != container_ && gap (footprint, Footprint (other)) < (is_separate ? 0.03 : 0.999 * contact_gap))
         return (false);
 
     const Vector2d edge = 0.5 * scene_.supports.front ().size.head<2> () - Vector2d::Constant (0.01 + footprint.radius);
@@ -511,6 +543,7 @@ private:
   SceneKind kind_;
   Random random_;
   SceneDescription scene_;
+  std::uint32_t container_{0}; /**< label of the bowl that the object to be placed stands in, 0: in none */
 };
 
 } // namespace

@@ -215,7 +215,7 @@ TEST (SceneGeometry, ObjectsDoNotPenetrateAnything)
     }
 }
 
-TEST (SceneGeometry, ObjectsRestOnTheTableOrOnABox)
+TEST (SceneGeometry, ObjectsRestOnTheTableOnABoxOrInABowl)
 {
   for (const SceneKind kind : allSceneKinds ())
     for (std::uint64_t seed = 0; seed < 30; ++seed)
@@ -228,6 +228,12 @@ TEST (SceneGeometry, ObjectsRestOnTheTableOrOnABox)
         const Vector3d center = object.pose.translation ();
         const double bottom = center.z () - half_height;
         bool rests = std::abs (bottom) < 1e-9;
+        // In a bowl a sphere touches the bottom, a cylinder with its edge and a box with its corners the round wall.
+        const Vector3d touching (object.shape == SceneShape::sphere ? 0.0 : 0.5 * object.size.x (),
+                                 object.shape == SceneShape::box ? 0.5 * object.size.y () : 0.0, -0.5 * object.size.z ());
+        for (const SceneObject& other : scene.objects)
+          rests |= other.shape == SceneShape::bowl && other.label != object.label &&
+                   std::abs (solids::distance (other, other.pose.inverse () * (object.pose * touching))) < 1e-9;
         for (const SceneObject& other : scene.objects)
           rests |=
               other.shape == SceneShape::box &&
@@ -282,6 +288,10 @@ TEST (SceneGeometry, KindsHoldWhatTheyPromise)
       EXPECT_NE (object.shape, SceneShape::box);
     for (const auto& object : makeScene (SceneKind::stacked, seed).objects)
       on_top += object.pose.translation ().z () > 0.5 * object.size.z () + 1e-6;
+    const SceneDescription filled = makeScene (SceneKind::filled, seed, 2);
+    ASSERT_EQ (filled.objects.size (), 2U);
+    EXPECT_EQ (filled.objects[0].shape, SceneShape::bowl);
+    EXPECT_EQ (filled.objects[0].pose.translation ().head<2> (), filled.objects[1].pose.translation ().head<2> ());
     for (const auto& object : makeScene (SceneKind::clutter, seed).objects)
       ++shapes[object.shape];
     const SceneDescription clutter = exactScene (SceneKind::clutter, seed);
@@ -309,7 +319,7 @@ TEST (SceneGeometry, KindsHoldWhatTheyPromise)
 
 TEST (SceneGeometry, NamesOfKindsGoBothWays)
 {
-  EXPECT_EQ (allSceneKinds ().size (), 14U);
+  EXPECT_EQ (allSceneKinds ().size (), 15U);
   for (const SceneKind kind : allSceneKinds ())
     EXPECT_EQ (sceneKindFromName (sceneKindName (kind)), kind);
   EXPECT_EQ (sceneKindName (SceneKind::empty_table), "empty_table");
