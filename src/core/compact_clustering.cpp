@@ -18,6 +18,9 @@ namespace pcl_attention
 namespace
 {
 
+/** \brief Share of a piece that lies within an outline if the piece does. */
+constexpr float almost_all = 0.8f;
+
 /** \brief A patch is large if it is at least so much of its piece, as 1 / n. */
 constexpr int large_share = 5;
 
@@ -58,7 +61,7 @@ toString (GrowthConstraint constraint)
 struct CompactClustering::Piece
 {
   std::vector<int> patches;           /**< first those that have grown together, then those of what was joined */
-  std::size_t grown{0};               /**< how many have grown together */
+  std::vector<int> inside;            /**< those of them that are the inside of a hollow */
   std::vector<std::uint8_t> member;   /**< at [label] */
   std::map<int, PatchBorder> borders; /**< to every neighbour that is no member, seen from the piece */
   ObjectHull hull;
@@ -66,10 +69,9 @@ struct CompactClustering::Piece
   ColorHistogram histogram; /**< for the colour constraint; empty without it */
   int pixels{0};
   int perimeter{0};            /**< contour pairs */
-  float hollowness{0.0f};           /**< of what has grown together */
+  float hollowness{0.0f};           /**< of what has grown together, and of the other halves of an inside */
   std::vector<GrowthStep> steps;    /**< how it has grown */
   bool is_cut{false};               /**< of the partition: it would have grown on into another of its pieces */
-  std::vector<const Piece*> joined; /**< what was joined to it */
   ColorHistogram surroundings; /**< the not-object, worked out when it is first needed after a change */
   bool surroundings_known{false};
 };
@@ -93,6 +95,7 @@ CompactClustering::CompactClustering (const OrganizedCloud& cloud, const SensorM
   hulls_.resize (count);
   patch_hollowness_.resize (count);
   piece_of_.resize (count);
+  with_halves_.resize (count);
   for (std::size_t label = 1; label < count; ++label)
     if (!patches.patches[label - 1].pixels.empty () && !isStayedOff (static_cast<int> (label)))
       seeds_.push_back (static_cast<int> (label));
@@ -536,7 +539,8 @@ CompactClustering::growOverBorders (Piece& piece, bool of_partition)
       }
     }
   }
-  piece.grown = piece.patches.size ();
+  if (piece.hollowness > parameters_.certain_hollowness)
+    piece.inside = piece.patches;
 }
 
 CompactClustering::Piece
@@ -586,6 +590,14 @@ CompactClustering::growAhead (const std::function<bool ()>& is_over)
       if (is_over ())
         return;
       pieceAt (seed);
+    }
+  });
+  forEachBand (static_cast<int> (islands_.size ()), 1, threads_, [&] (int island, int) {
+    for (const auto& piece : islands_[island].pieces)
+    {
+      if (is_over ())
+        return;
+      withHalves (*piece);
     }
   });
 }
@@ -647,6 +659,25 @@ CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
   return (true);
 }
 
+std::vector<const CompactClustering::Piece*>
+CompactClustering::standingBetween (const Piece& wall, const Piece& inside)
+{
+  constexpr float enough = 0.3f; // the rest may look out of the hollow
+  std::set<const Piece*> neighbors;
+  for (const auto& border : inside.borders)
+    if (!wall.member[border.first] && !isStayedOff (border.first))
+      neighbors.insert (&pieceAt (border.first));
+  std::vector<const Piece*> standing;
+  for (const Piece* piece : neighbors)
+  {
+    const PatchBorder to_inside = borderBetween (*piece, inside), to_wall = borderBetween (*piece, wall);
+    if (2 * to_wall.second_in_front > to_wall.pairs && 2 * to_inside.second_in_front < to_inside.pairs &&
+        liesWithin (outlineOf (inside.inside), *piece, enough))
+      standing.push_back (piece);
+  }
+  return (standing);
+}
+
 bool
 CompactClustering::isRim (const Piece& wall, const Piece& inside) const
 {
@@ -686,9 +717,15 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
   const auto score = [&] (const Piece& candidate) {
     if (candidate.hollowness > parameters_.minimum_hollowness)
       return (0.0f); // another part of the inside
-    const float share = static_cast<float> (borderBetween (candidate, inside).pairs) / std::max (1, inside.perimeter);
+    int pairs = borderBetween (candidate, inside).pairs;
+    for (const Piece* standing : standingBetween (candidate, inside))
+      pairs += borderBetween (candidate, *standing).pairs;
+    const float share = static_cast<float> (pairs) / std::max (1, inside.perimeter);
     const float value = share * (1.05f - chiSquare (candidate.colors, inside.colors));
-    return (value >= least_score && isRim (candidate, inside) ? value : 0.0f);
+    // Nor is what stands in a hollow a wall of it.
+    const bool is_wall = value >= least_score && isRim (candidate, inside) &&
+                         !liesWithin (outlineOf (inside.inside), candidate, almost_all);
+    return (is_wall ? value : 0.0f);
   };
   const float own = score (wall);
   if (own <= 0.0f)
@@ -698,6 +735,81 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
         score (pieceAt (neighbor.first)) > own)
       return (false);
   return (true);
+}
+
+const std::vector<int>&
+CompactClustering::insideOf (const Piece& piece)
+{
+  return (piece.inside.empty () ? piece.patches : piece.inside);
+}
+
+bool
+CompactClustering::areHalvesOfInside (const Piece& piece, const Piece& other) const
+{
+  // Each may be nearly flat, but both together surround their middle. Two bowls beside each other have no common middle.
+  constexpr float surrounded = 0.4f, more_than_either = 0.15f, like_colors = 0.3f;
+  if (std::min (piece.pixels, other.pixels) < parameters_.certain_size ||
+      std::min (piece.hollowness, other.hollowness) < -parameters_.certain_hollowness ||
+      2 * commonPixels (piece, other) > other.pixels || chiSquare (piece.colors, other.colors) > like_colors)
+    return (false);
+  std::vector<int> together = insideOf (piece);
+  together.insert (together.end (), insideOf (other).begin (), insideOf (other).end ());
+  return (hollownessOf (together) > std::max (surrounded, more_than_either + std::max (piece.hollowness, other.hollowness)));
+}
+
+const CompactClustering::Piece*
+CompactClustering::otherHalfOf (const Piece& piece)
+{
+  if (!parameters_.join_hollows || piece.pixels < parameters_.certain_size ||
+      piece.hollowness < -parameters_.certain_hollowness)
+    return (nullptr);
+  std::set<const Piece*> asked;
+  for (const auto& border : piece.borders)
+  {
+    if (isStayedOff (border.first))
+      continue;
+    for (const auto& beyond : pieceAt (border.first).borders)
+    {
+      if (piece.member[beyond.first] || isStayedOff (beyond.first))
+        continue;
+      const Piece& other = pieceAt (beyond.first);
+      if (asked.insert (&other).second && areHalvesOfInside (piece, other))
+        return (&other);
+    }
+  }
+  return (nullptr);
+}
+
+void
+CompactClustering::joinHalf (const Piece& half, Piece& piece)
+{
+  std::vector<int> inside = insideOf (piece);
+  for (const int label : insideOf (half))
+    if (!piece.member[label])
+      inside.push_back (label);
+  for (const int label : half.patches)
+    if (!piece.member[label])
+      addPatch (label, piece);
+  piece.inside = std::move (inside);
+  piece.hollowness = hollownessOf (piece.inside);
+}
+
+const CompactClustering::Piece&
+CompactClustering::withHalves (const Piece& piece)
+{
+  std::optional<std::unique_ptr<Piece>>& known = with_halves_[piece.patches.front ()];
+  if (!known)
+  {
+    std::unique_ptr<Piece> whole;
+    for (const Piece* half = otherHalfOf (piece); half; half = otherHalfOf (*whole))
+    {
+      if (!whole)
+        whole = std::make_unique<Piece> (piece);
+      joinHalf (*half, *whole);
+    }
+    known = std::move (whole);
+  }
+  return (*known ? **known : piece);
 }
 
 bool
@@ -826,16 +938,20 @@ CompactClustering::joinPiece (Piece& object)
     for (const int label : piece.patches)
       if (!object.member[label])
         addPatch (label, object);
-    object.joined.push_back (&piece);
+    object.inside.insert (object.inside.end (), piece.inside.begin (), piece.inside.end ());
     return (true);
   };
   const auto isHandle = [&] (const Piece& piece) {
     return (parameters_.join_handles && (isHandleOf (object, piece) || isHandleOf (piece, object)));
   };
   for (const Piece* piece : neighbors)
-    if (isHandle (*piece) || (parameters_.join_hollows && (isFloorOf (object, *piece) || isHollowOf (object, *piece))))
+  {
+    if (isHandle (*piece) || (parameters_.join_hollows && isFloorOf (object, *piece)))
       return (join (*piece));
-  if (parameters_.join_hollows && !hollowPatches (object).empty ())
+    if (parameters_.join_hollows && isHollowOf (object, withHalves (*piece)))
+      return (join (withHalves (*piece)));
+  }
+  if (parameters_.join_hollows && !object.inside.empty ())
   {
     std::vector<const Piece*> seen_within;
     std::copy_if (neighbors.begin (), neighbors.end (), std::back_inserter (seen_within), [&] (const Piece* piece) {
@@ -843,7 +959,7 @@ CompactClustering::joinPiece (Piece& object)
     });
     const RowSpans outline = seen_within.empty () ? RowSpans () : outlineOf (object.patches);
     for (const Piece* piece : seen_within)
-      if (liesWithin (outline, *piece))
+      if (liesWithin (outline, *piece, almost_all))
         return (join (*piece));
   }
   if (!parameters_.join_occluded)
@@ -866,20 +982,6 @@ CompactClustering::joinPiece (Piece& object)
     if (isBehindSameOccluder (object, *piece))
       return (join (*piece));
   return (false);
-}
-
-std::vector<int>
-CompactClustering::hollowPatches (const Piece& object) const
-{
-  std::vector<int> labels;
-  const auto takeHollow = [&] (const Piece& piece) {
-    if (piece.hollowness > parameters_.certain_hollowness)
-      labels.insert (labels.end (), piece.patches.begin (), piece.patches.begin () + static_cast<std::ptrdiff_t> (piece.grown));
-  };
-  takeHollow (object);
-  for (const Piece* piece : object.joined)
-    takeHollow (*piece);
-  return (labels);
 }
 
 RowSpans
@@ -907,7 +1009,7 @@ CompactClustering::pixelsOf (const Piece& object) const
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
       taken[index - before] = 1;
   // What was taken for the support, but is seen through the mouth of a hollow, is its floor.
-  const RowSpans mouth = parameters_.join_hollows ? outlineOf (hollowPatches (object)) : RowSpans ();
+  const RowSpans mouth = parameters_.join_hollows ? outlineOf (object.inside) : RowSpans ();
   for (std::size_t k = 0; k < mouth.columns.size (); ++k)
     for (int column = mouth.columns[k].first; column < mouth.columns[k].second; ++column)
       if (const pcl::index_t index = (mouth.first_row + static_cast<int> (k)) * cloud_.width + column; isSupport (patches_.labels[index]))
@@ -920,13 +1022,13 @@ CompactClustering::pixelsOf (const Piece& object) const
 }
 
 bool
-CompactClustering::liesWithin (const RowSpans& outline, const Piece& piece) const
+CompactClustering::liesWithin (const RowSpans& outline, const Piece& piece, float share) const
 {
   int within = 0;
   for (const int label : piece.patches)
     for (const pcl::index_t index : patches_.patches[label - 1].pixels)
       within += outline.contains (index % cloud_.width, index / cloud_.width);
-  return (within >= 0.8f * piece.pixels);
+  return (within >= share * piece.pixels);
 }
 
 float
@@ -951,6 +1053,8 @@ CompactClustering::wholeObject (const std::vector<int>& initial)
       addPatch (label, object);
     growOverBorders (object, false);
   }
+  while (const Piece* const half = otherHalfOf (object))
+    joinHalf (*half, object);
   while (parameters_.joinsPieces () && joinPiece (object))
   {
   }

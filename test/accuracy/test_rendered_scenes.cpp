@@ -71,6 +71,12 @@ TEST (RenderedScenes, objectsThatStandAloneAreFoundWhole)
     expectObjects (SceneKind::separate, seed);
 }
 
+TEST (RenderedScenes, bowlsAreFoundWholeAroundWhatStandsInThem)
+{
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    expectObjects (SceneKind::filled, seed);
+}
+
 /** \brief An upright object on the table of an empty scene. */
 SceneObject
 standing (SceneShape shape, const Eigen::Vector3d& size, double x, double y, const Eigen::Vector3d& color, std::uint32_t label)

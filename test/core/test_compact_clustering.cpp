@@ -656,6 +656,107 @@ TEST (CompactClustering, TheInsideOfAHollowAndItsWallMeetInARimThatIsPlane)
   EXPECT_EQ (patchesOf (0.0, 0.06), (std::vector<int>{1}));
 }
 
+/** \brief A dish from above with a bar across its middle, and the wall that falls off around it.
+  *
+  * The left half of the inside is patch 1, the right one 2, the bar 3 and the wall 4. What is flat beside them tells that there is no
+  * noise. */
+struct DishWithBar
+{
+  double bar_depth{0.8};           /**< of the bar, metres; the rim is at 0.8 */
+  double between{0.0};             /**< from one dish to another if there are two, with a narrow bar between them, metres */
+  double part_with_wall{1.0};      /**< of the circle, around the side that is nearest to the camera's lower edge */
+  double curvature{25.0};          /**< the inside is curvature r^2 deeper at the middle than at the radius r, 1 / metres */
+  Color right{red};                /**< of the right half; all else is red */
+
+  /** \brief Patches of the object that grows where nothing grows over borders.
+    * \param[in] at_wall below the bar instead of in the left half */
+  std::vector<int>
+  patches (const std::function<void (ClusteringParameters&)>& change = {}, bool at_wall = false) const
+  {
+    constexpr double rim = 0.04;
+    Frame frame = shapes::emptyFrame (256, 64);
+    Image<int> labels (256, 64, 0);
+    for (int row = 0; row < 64; ++row)
+      for (int column = 0; column < 256; ++column)
+      {
+        const int index = frame.index (column, row);
+        const double x = 0.002 * (column - 50.5), y = 0.002 * (row - 31.5);
+        frame.set (index, {x, y, 0.9}, {0, 0, -1});
+        const bool is_bar = std::abs (x) < (between > 0.0 ? 0.008 : 0.02) && std::abs (y) <= rim;
+        const double from_middle = x - std::copysign (0.5 * between, x), radius = std::hypot (from_middle, y);
+        const bool is_inside = radius < rim, is_wall = radius < 0.055 && std::abs (std::atan2 (x, y)) <= part_with_wall * 3.15;
+        if (is_bar)
+          frame.set (index, {x, y, bar_depth}, {0, 0, -1});
+        else if (is_inside || is_wall)
+        {
+          const double slope = is_inside ? -2.0 * curvature * radius : 2.0; // dz / d radius
+          const double z = 0.8 + (is_inside ? curvature * (rim * rim - radius * radius) : 2.0 * (radius - rim));
+          frame.set (index, {x, y, z}, Vector3d (slope * from_middle / radius, slope * y / radius, -1.0).normalized ());
+        }
+        labels (column, row) = is_bar ? 3 : is_inside ? (x < 0.0 ? 1 : 2) : is_wall ? 4 : 0;
+      }
+    ClusteringParameters parameters;
+    parameters.minimum_convexity = 3.0f; // nothing grows
+    parameters.join_handles = parameters.join_occluded = false;
+    if (change)
+      change (parameters);
+    Case dish (frame, labels);
+    dish.paint ({grey, red, right, red, red});
+    const Pixel point = at_wall ? Pixel{50, 54} : Pixel{40 - static_cast<int> (250 * between), 31};
+    return (sorted (dish.grow (point.column, point.row, parameters).patches));
+  }
+};
+
+TEST (CompactClustering, WhatStandsInAHollowPartsItsInside)
+{
+  EXPECT_EQ (DishWithBar ().patches (), (std::vector<int>{1, 2, 4}));
+  EXPECT_EQ (DishWithBar ().patches ([] (ClusteringParameters& p) { p.join_hollows = false; }), (std::vector<int>{1}));
+  DishWithBar bar_looks_out;
+  bar_looks_out.bar_depth = 0.75;
+  EXPECT_EQ (bar_looks_out.patches (), (std::vector<int>{1, 2, 4}));
+}
+
+TEST (CompactClustering, HalvesOfAnInsideAreDeep)
+{
+  DishWithBar dish;
+  dish.part_with_wall = 0.0;
+  EXPECT_EQ (dish.patches (), (std::vector<int>{1, 2}));
+  dish.curvature = 3.0; // two pieces of what is nearly a plate: anything may lie between
+  const std::vector<int> patches = dish.patches ();
+  EXPECT_EQ (std::count (patches.begin (), patches.end (), 2), 0);
+}
+
+TEST (CompactClustering, HalvesOfAnInsideLookAlike)
+{
+  DishWithBar dish;
+  dish.part_with_wall = 0.0;
+  EXPECT_EQ (dish.patches (), (std::vector<int>{1, 2}));
+  dish.right = blue;
+  const std::vector<int> patches = dish.patches ();
+  EXPECT_EQ (std::count (patches.begin (), patches.end (), 2), 0);
+}
+
+TEST (CompactClustering, InsidesBesideEachOtherHaveNoCommonMiddle)
+{
+  DishWithBar apart;
+  apart.part_with_wall = 0.0;
+  apart.between = 0.1;
+  const std::vector<int> patches = apart.patches ();
+  EXPECT_EQ (std::count (patches.begin (), patches.end (), 2), 0);
+}
+
+TEST (CompactClustering, AWallGoesOnBeforeWhatStandsInTheHollow)
+{
+  // It touches the inside over 4 mm of the circle on either side of the bar, which it hides.
+  DishWithBar short_wall;
+  short_wall.bar_depth = 0.815;
+  short_wall.part_with_wall = 0.2;
+  EXPECT_EQ (short_wall.patches (), (std::vector<int>{1, 2, 4}));
+  EXPECT_EQ (short_wall.patches ({}, true), (std::vector<int>{1, 2, 4}));
+  short_wall.bar_depth = 0.78; // now the bar hides what may stand anywhere behind it
+  EXPECT_EQ (short_wall.patches (), (std::vector<int>{1, 2}));
+}
+
 TEST (CompactClustering, WhatGoesOnBehindAnOccluderHasNoSideSetBack)
 {
   // A bar before a front that bends back below a ridge; on the right of the bar the ridge is farther down, so that the fronts are in

@@ -141,7 +141,8 @@ TEST_F (InstructionSets, StagesBesideEachOtherGiveTheSameObjects)
   pieces.visiblePieces ();
   all_points.segmentation.inhibition_of_return = false;
   for (const auto& [kind, parameters] : {std::pair<SceneKind, AttentionParameters> (SceneKind::clutter, AttentionParameters ()),
-                                         {SceneKind::occluded, AttentionParameters ()}, {SceneKind::clutter, pieces},
+                                         {SceneKind::occluded, AttentionParameters ()}, {SceneKind::filled, AttentionParameters ()},
+                                         {SceneKind::clutter, pieces},
                                          {SceneKind::cylinders, all_points}, {SceneKind::occluded, AttentionParameters::paper ()}})
   {
     const OrganizedCloud cloud = shapes::rendered (kind, 5, 320, 240, 1.0).cloud;

@@ -306,16 +306,29 @@ private:
   void
   takeLargerObject (Piece& object);
 
-  /** \brief What of an object has grown together as the inside of a hollow. */
-  std::vector<int>
-  hollowPatches (const Piece& object) const;
+  /** \brief The patches of a piece that tell whether it is the inside of a hollow: those that are, or all that have grown
+    * together. */
+  static const std::vector<int>&
+  insideOf (const Piece& piece);
+  /** \brief Whether what is between two pieces parts the inside of one hollow. */
+  bool
+  areHalvesOfInside (const Piece& piece, const Piece& other) const;
+  /** \brief A piece that with a grown one makes up the inside of a hollow in which something stands between them.
+    * \return null when there is none */
+  const Piece*
+  otherHalfOf (const Piece& piece);
+  void
+  joinHalf (const Piece& half, Piece& piece);
+  /** \brief A piece of the partition with all others that make up the inside of one hollow with it. */
+  const Piece&
+  withHalves (const Piece& piece);
 
   /** \brief The pixels within the convex hull of some patches in the image; empty where that has no area. */
   RowSpans
   outlineOf (const std::vector<int>& labels) const;
-  /** \brief Whether most of a piece lies within an outline. */
+  /** \brief Whether such a share of a piece's pixels lies within an outline. */
   bool
-  liesWithin (const RowSpans& outline, const Piece& piece) const;
+  liesWithin (const RowSpans& outline, const Piece& piece, float share) const;
   /** \brief Whether a piece is before next to nothing, as what is seen in a hollow. */
   bool
   hidesNothing (const Piece& piece) const;
@@ -333,6 +346,9 @@ private:
     * the rim of a bowl does, and what happens to stand before it does not. */
   bool
   isRim (const Piece& wall, const Piece& inside) const;
+  /** \brief What a wall hides and an inside does not: things that stand in the hollow. */
+  std::vector<const Piece*>
+  standingBetween (const Piece& wall, const Piece& inside);
   /** \brief Patches that are no small part of a piece. */
   std::vector<int>
   largePatches (const Piece& piece) const;
@@ -366,6 +382,8 @@ private:
   std::vector<RowSpans> rows_;                              /**< of label k at [k] */
   std::vector<std::unique_ptr<ObjectHull>> hulls_;          /**< of label k at [k]; null until asked for */
   std::vector<const Piece*> piece_of_;                      /**< of label k at [k], in the partition; null until known */
+  std::vector<std::optional<std::unique_ptr<Piece>>> with_halves_; /**< of the piece that begins with label k at [k], once asked for;
+                                                                      null: it has no other half */
   std::vector<int> seeds_;                                  /**< labels, the largest patch first */
   std::vector<Island> islands_;
   std::vector<int> island_of_;                              /**< of label k at [k], place in islands_ */
