@@ -715,13 +715,14 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
     return (false);
   // The wall is the neighbour with most of the border and the likest colours.
   const auto score = [&] (const Piece& candidate) {
-    if (candidate.hollowness > parameters_.minimum_hollowness)
-      return (0.0f); // another part of the inside
+    const float likeness = 1.05f - chiSquare (candidate.colors, inside.colors);
+    if (candidate.hollowness > parameters_.minimum_hollowness || likeness < least_score)
+      return (0.0f); // another part of the inside, or too unlike it
     int pairs = borderBetween (candidate, inside).pairs;
     for (const Piece* standing : standingBetween (candidate, inside))
       pairs += borderBetween (candidate, *standing).pairs;
     const float share = static_cast<float> (pairs) / std::max (1, inside.perimeter);
-    const float value = share * (1.05f - chiSquare (candidate.colors, inside.colors));
+    const float value = share * likeness;
     // Nor is what stands in a hollow a wall of it.
     const bool is_wall = value >= least_score && isRim (candidate, inside) &&
                          !liesWithin (outlineOf (inside.inside), candidate, almost_all);

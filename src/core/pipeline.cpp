@@ -820,11 +820,15 @@ AttentionPipeline::moveInside (AttentionSegment& segment) const
     if (member.contains (column, row))
       member (column, row) = 1;
   }
+  bool is_inside = true; // where every pixel nearer than the margin is a member
+  for (int row = around - margin + 1; row < around + margin; ++row)
+    for (int column = around - margin + 1; column < around + margin; ++column)
+      is_inside = is_inside && member (column, row);
+  if (is_inside)
+    return;
   const Image<int> depths = depthsInside (member);
   // Beyond twice the margin deeper is no better.
   const auto depth = [&] (int column, int row) { return (std::min (depths (column, row), 2 * margin)); };
-  if (depth (around, around) >= margin)
-    return;
   float best_score = -1e9f;
   Pixel best{around, around};
   for (int row = around - reach; row <= around + reach; ++row)
