@@ -461,7 +461,7 @@ private:
     moveTo (object, bowl.pose.translation ().head<2> ());
     const bool is_round = object.shape == SceneShape::sphere;
     const double inner = bowl.bowlCenter () + 0.5 * (bowl.size.z () - bowl.wall_thickness);
-    const double radius = (object.shape == SceneShape::box ? 0.5 : 0.5 / std::sqrt (2.0)) * object.size.head<2> ().norm ();
+    const double radius = 0.5 * (object.shape == SceneShape::box ? object.size.head<2> ().norm () : object.size.x ());
     if (bowl.shape != SceneShape::bowl || radius > 0.6 * 0.5 * bowl.size.x ())
       return; // where it does not fit, as the caller will find
     const double bottom = bowl.bowlCenter () - (is_round ? inner : std::sqrt (inner * inner - radius * radius));

@@ -660,7 +660,7 @@ CompactClustering::isHandleOf (const Piece& object, const Piece& piece)
 }
 
 std::vector<const CompactClustering::Piece*>
-CompactClustering::standingBetween (const Piece& wall, const Piece& inside)
+CompactClustering::standingBetween (const Piece& wall, const Piece& inside, const RowSpans& mouth)
 {
   constexpr float enough = 0.3f; // the rest may look out of the hollow
   std::set<const Piece*> neighbors;
@@ -672,7 +672,7 @@ CompactClustering::standingBetween (const Piece& wall, const Piece& inside)
   {
     const PatchBorder to_inside = borderBetween (*piece, inside), to_wall = borderBetween (*piece, wall);
     if (2 * to_wall.second_in_front > to_wall.pairs && 2 * to_inside.second_in_front < to_inside.pairs &&
-        liesWithin (outlineOf (inside.inside), *piece, enough))
+        liesWithin (mouth, *piece, enough))
       standing.push_back (piece);
   }
   return (standing);
@@ -713,19 +713,24 @@ CompactClustering::isHollowOf (const Piece& object, const Piece& piece)
   // A crease between two objects curves inwards as well.
   if (inside.pixels < parameters_.certain_size)
     return (false);
+  std::optional<RowSpans> mouth; // once a candidate is like enough
   // The wall is the neighbour with most of the border and the likest colours.
   const auto score = [&] (const Piece& candidate) {
+    if (candidate.hollowness > parameters_.minimum_hollowness)
+      return (0.0f); // another part of the inside
     const float likeness = 1.05f - chiSquare (candidate.colors, inside.colors);
-    if (candidate.hollowness > parameters_.minimum_hollowness || likeness < least_score)
-      return (0.0f); // another part of the inside, or too unlike it
+    if (likeness < least_score)
+      return (0.0f); // whatever its share
+    if (!mouth)
+      mouth = outlineOf (inside.inside);
     int pairs = borderBetween (candidate, inside).pairs;
-    for (const Piece* standing : standingBetween (candidate, inside))
+    for (const Piece* standing : standingBetween (candidate, inside, *mouth))
       pairs += borderBetween (candidate, *standing).pairs;
     const float share = static_cast<float> (pairs) / std::max (1, inside.perimeter);
     const float value = share * likeness;
     // Nor is what stands in a hollow a wall of it.
     const bool is_wall = value >= least_score && isRim (candidate, inside) &&
-                         !liesWithin (outlineOf (inside.inside), candidate, almost_all);
+                         !liesWithin (*mouth, candidate, almost_all);
     return (is_wall ? value : 0.0f);
   };
   const float own = score (wall);
@@ -782,16 +787,22 @@ CompactClustering::otherHalfOf (const Piece& piece)
 }
 
 void
-CompactClustering::joinHalf (const Piece& half, Piece& piece)
+CompactClustering::addPiece (const Piece& other, const std::vector<int>& inside, Piece& piece)
 {
-  std::vector<int> inside = insideOf (piece);
-  for (const int label : insideOf (half))
-    if (!piece.member[label])
-      inside.push_back (label);
-  for (const int label : half.patches)
+  // Also what the piece has already, but did not know to be of an inside.
+  for (const int label : inside)
+    if (std::find (piece.inside.begin (), piece.inside.end (), label) == piece.inside.end ())
+      piece.inside.push_back (label);
+  for (const int label : other.patches)
     if (!piece.member[label])
       addPatch (label, piece);
-  piece.inside = std::move (inside);
+}
+
+void
+CompactClustering::joinHalf (const Piece& half, Piece& piece)
+{
+  piece.inside = insideOf (piece);
+  addPiece (half, insideOf (half), piece);
   piece.hollowness = hollownessOf (piece.inside);
 }
 
@@ -936,10 +947,7 @@ CompactClustering::joinPiece (Piece& object)
   for (const auto& border : object.borders)
     collect (border.first, neighbors);
   const auto join = [&] (const Piece& piece) {
-    for (const int label : piece.patches)
-      if (!object.member[label])
-        addPatch (label, object);
-    object.inside.insert (object.inside.end (), piece.inside.begin (), piece.inside.end ());
+    addPiece (piece, piece.inside, object);
     return (true);
   };
   const auto isHandle = [&] (const Piece& piece) {
@@ -949,8 +957,9 @@ CompactClustering::joinPiece (Piece& object)
   {
     if (isHandle (*piece) || (parameters_.join_hollows && isFloorOf (object, *piece)))
       return (join (*piece));
-    if (parameters_.join_hollows && isHollowOf (object, withHalves (*piece)))
-      return (join (withHalves (*piece)));
+    const Piece& whole = withHalves (*piece);
+    if (parameters_.join_hollows && isHollowOf (object, whole))
+      return (join (whole));
   }
   if (parameters_.join_hollows && !object.inside.empty ())
   {

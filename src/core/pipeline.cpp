@@ -107,6 +107,27 @@ transformPlane (const Eigen::Isometry3f& pose, const Eigen::Vector4f& plane)
   return (moved);
 }
 
+/** \brief How many pixels lie between each of a mask and the nearest that is none, itself included, along rows, columns
+ * and diagonals; what lies beyond the image is none. */
+Image<int>
+depthsInside (const Image<std::uint8_t>& mask)
+{
+  Image<int> depths (mask.width, mask.height, 0);
+  const auto at = [&] (int column, int row) { return (depths.contains (column, row) ? depths (column, row) : 0); };
+  for (int row = 0; row < mask.height; ++row)
+    for (int column = 0; column < mask.width; ++column)
+      if (mask (column, row))
+        depths (column, row) = 1 + std::min ({at (column - 1, row), at (column - 1, row - 1), at (column, row - 1),
+                                              at (column + 1, row - 1)});
+  for (int row = mask.height - 1; row >= 0; --row)
+    for (int column = mask.width - 1; column >= 0; --column)
+      if (mask (column, row))
+        depths (column, row) = std::min (depths (column, row),
+                                         1 + std::min ({at (column + 1, row), at (column + 1, row + 1),
+                                                        at (column, row + 1), at (column - 1, row + 1)}));
+  return (depths);
+}
+
 } // namespace
 
 AttentionParameters
@@ -778,32 +799,6 @@ AttentionPipeline::isDuplicate (const AttentionSegment& segment) const
                                       [this] (pcl::index_t index) { return (claimed_[index]); });
   return (2 * static_cast<std::size_t> (claimed) > segment.indices.size ());
 }
-
-namespace
-{
-
-/** \brief How many pixels lie between each of a mask and the nearest that is none, itself included, along rows, columns
- * and diagonals; what lies beyond the image is none. */
-Image<int>
-depthsInside (const Image<std::uint8_t>& mask)
-{
-  Image<int> depths (mask.width, mask.height, 0);
-  const auto at = [&] (int column, int row) { return (depths.contains (column, row) ? depths (column, row) : 0); };
-  for (int row = 0; row < mask.height; ++row)
-    for (int column = 0; column < mask.width; ++column)
-      if (mask (column, row))
-        depths (column, row) = 1 + std::min ({at (column - 1, row), at (column - 1, row - 1), at (column, row - 1),
-                                              at (column + 1, row - 1)});
-  for (int row = mask.height - 1; row >= 0; --row)
-    for (int column = mask.width - 1; column >= 0; --column)
-      if (mask (column, row))
-        depths (column, row) = std::min (depths (column, row),
-                                         1 + std::min ({at (column + 1, row), at (column + 1, row + 1),
-                                                        at (column, row + 1), at (column - 1, row + 1)}));
-  return (depths);
-}
-
-} // namespace
 
 void
 AttentionPipeline::moveInside (AttentionSegment& segment) const

@@ -317,6 +317,10 @@ private:
     * \return null when there is none */
   const Piece*
   otherHalfOf (const Piece& piece);
+  /** \brief Add what a piece does not have yet of another. \param[in] inside those of the other's patches that become part of its
+    * inside */
+  void
+  addPiece (const Piece& other, const std::vector<int>& inside, Piece& piece);
   void
   joinHalf (const Piece& half, Piece& piece);
   /** \brief A piece of the partition with all others that make up the inside of one hollow with it. */
@@ -346,9 +350,10 @@ private:
     * the rim of a bowl does, and what happens to stand before it does not. */
   bool
   isRim (const Piece& wall, const Piece& inside) const;
-  /** \brief What a wall hides and an inside does not: things that stand in the hollow. */
+  /** \brief What a wall hides and an inside does not: things that stand in the hollow.
+    * \param[in] mouth outline of the inside */
   std::vector<const Piece*>
-  standingBetween (const Piece& wall, const Piece& inside);
+  standingBetween (const Piece& wall, const Piece& inside, const RowSpans& mouth);
   /** \brief Patches that are no small part of a piece. */
   std::vector<int>
   largePatches (const Piece& piece) const;
