@@ -27,13 +27,14 @@ public:
     constexpr double deviation = 20.0; // of 255: shading and noise of one surface
     for (std::size_t i = 0; i < table_.size (); ++i)
       table_[i] = static_cast<float> (std::exp (-static_cast<double> (i * cell) / (2.0 * deviation * deviation)));
+    table_.back () = 0.0f; // of all that is farther
   }
 
   float
   operator() (int red, int green, int blue) const
   {
     const auto place = static_cast<std::size_t> (red * red + green * green + blue * blue) / cell;
-    return (place < table_.size () ? table_[place] : 0.0f);
+    return (table_[std::min (place, table_.size () - 1)]);
   }
 
 private:
@@ -83,12 +84,19 @@ dilated (Mask mask, int width)
   return (mask);
 }
 
+/** \brief Colours of one side at some places of a grid, row by row. */
+struct ColorSamples
+{
+  std::vector<std::int16_t> red, green, blue;
+  std::vector<int> before; /**< how many there are before each place of the grid, which has one more at the end of each row */
+};
+
 /** \brief The image around an object: what is of it and what is not, and what lies clearly within either. */
 class Surroundings
 {
 public:
   Surroundings (const OrganizedCloud& cloud, int width, const pcl::Indices& indices)
-  : cloud_ (cloud), width_ (width), reach_ (reach_of_width * width)
+  : cloud_ (cloud), width_ (width), reach_ (reach_of_width * width), grid_step_ (2 + width / 3)
   {
     int left = cloud.width, right = -1;
     for (const pcl::index_t index : indices)
@@ -111,47 +119,34 @@ public:
     sure_ = dilated (all_, width);
     std::transform (all_.data.begin (), all_.data.end (), sure_.data.begin (), sure_.data.begin (),
                     [] (std::uint8_t side, std::uint8_t near) { return (near == side ? side : static_cast<std::uint8_t> (unsure)); });
+    takeSamples ();
+    // What has no depth is no object.
+    std::replace (all_.data.begin (), all_.data.end (), static_cast<std::uint8_t> (unsure), static_cast<std::uint8_t> (of_rest));
   }
 
+  /** \brief Let the object grow over what has its colours. */
   void
-  extend (int threads, pcl::Indices& indices) const
+  extend (bool across_jumps, int threads)
   {
-    const std::size_t before = indices.size ();
-    std::vector<Pixel> front;
-    for (const pcl::index_t index : indices)
-    {
-      const Pixel pixel{index % cloud_.width - first_column_, index / cloud_.width - first_row_};
-      if (sure_ (pixel.column, pixel.row) == unsure)
-        front.push_back (pixel);
-    }
-    Mask seen = all_;
-    for (int ring = 0; ring < width_; ++ring)
-    {
-      std::vector<Pixel> around;
-      for (const Pixel& pixel : front)
-        for (int row = std::max (0, pixel.row - 1); row <= std::min (seen.height - 1, pixel.row + 1); ++row)
-          for (int column = std::max (0, pixel.column - 1); column <= std::min (seen.width - 1, pixel.column + 1); ++column)
-            if (seen (column, row) != of_object && goesOn (indexOf (pixel.column, pixel.row), indexOf (column, row)))
-            {
-              seen (column, row) = of_object;
-              around.push_back ({column, row});
-            }
-      std::vector<std::uint8_t> is_alike (around.size ());
-      constexpr int together = 128;
-      forEachBand (static_cast<int> (around.size ()), together, threads, [&] (int begin, int end) {
-        for (int i = begin; i < end; ++i)
-          is_alike[i] = looksLikeObject (around[i].column, around[i].row);
-      });
-      front.clear ();
-      for (std::size_t i = 0; i < around.size (); ++i)
-        if (is_alike[i])
-        {
-          front.push_back (around[i]);
-          indices.push_back (indexOf (around[i].column, around[i].row));
-        }
-    }
-    std::sort (indices.begin () + static_cast<std::ptrdiff_t> (before), indices.end ());
-    std::inplace_merge (indices.begin (), indices.begin () + static_cast<std::ptrdiff_t> (before), indices.end ());
+    advance (of_object, across_jumps, threads);
+  }
+
+  /** \brief Take away what has the colours of the rest. */
+  void
+  shrink (int threads)
+  {
+    advance (of_rest, true, threads);
+  }
+
+  pcl::Indices
+  indices () const
+  {
+    pcl::Indices result;
+    for (int row = 0; row < all_.height; ++row)
+      for (int column = 0; column < all_.width; ++column)
+        if (all_ (column, row) == of_object)
+          result.push_back (indexOf (column, row));
+    return (result);
   }
 
 private:
@@ -163,6 +158,47 @@ private:
     of_rest = 2
   };
 
+  /** \brief Give a side what looks like it and lies next to it, pixel by pixel. */
+  void
+  advance (Side side, bool across_jumps, int threads)
+  {
+    const Mask near = dilated (all_, 1);
+    std::vector<Pixel> front;
+    for (int row = 0; row < all_.height; ++row)
+      for (int column = 0; column < all_.width; ++column)
+        if (near (column, row) == (of_object | of_rest) && all_ (column, row) == side)
+          front.push_back ({column, row});
+    Mask tried (all_.width, all_.height, 0);
+    for (int ring = 0; ring < width_; ++ring)
+    {
+      std::vector<Pixel> around;
+      for (const Pixel& pixel : front)
+        for (int row = std::max (0, pixel.row - 1); row <= std::min (all_.height - 1, pixel.row + 1); ++row)
+          for (int column = std::max (0, pixel.column - 1); column <= std::min (all_.width - 1, pixel.column + 1); ++column)
+          {
+            const pcl::index_t index = indexOf (column, row);
+            if (all_ (column, row) == side || tried (column, row) || !cloud_.valid[index] ||
+                !(across_jumps || goesOn (indexOf (pixel.column, pixel.row), index)))
+              continue;
+            tried (column, row) = 1;
+            around.push_back ({column, row});
+          }
+      std::vector<std::uint8_t> is_alike (around.size ());
+      constexpr int together = 128;
+      forEachBand (static_cast<int> (around.size ()), together, threads, [&] (int begin, int end) {
+        for (int i = begin; i < end; ++i)
+          is_alike[i] = looksLike (side, around[i].column, around[i].row);
+      });
+      front.clear ();
+      for (std::size_t i = 0; i < around.size (); ++i)
+        if (is_alike[i])
+        {
+          front.push_back (around[i]);
+          all_ (around[i].column, around[i].row) = side;
+        }
+    }
+  }
+
   pcl::index_t
   indexOf (int column, int row) const
   {
@@ -173,50 +209,89 @@ private:
   goesOn (pcl::index_t from, pcl::index_t to) const
   {
     constexpr float largest_step = 0.02f; // metres
-    return (cloud_.valid[to] && std::abs (cloud_.z[to] - cloud_.z[from]) <= largest_step);
+    return (std::abs (cloud_.z[to] - cloud_.z[from]) <= largest_step);
   }
 
-  /** \brief Whether the colours of the object nearby are more likely to have this point's than those of the rest. */
-  bool
-  looksLikeObject (int column, int row) const
+  /** \brief How many columns or rows lie before the grid. \param[in] first column or row of the masks in the image */
+  int
+  offsetOf (int first) const
+  {
+    return ((grid_step_ - first % grid_step_) % grid_step_);
+  }
+
+  /** \brief The first place of the grid at a column or row of the masks or after it. */
+  int
+  gridPlace (int first, int place) const
+  {
+    return (std::max (0, (place - offsetOf (first) + grid_step_ - 1) / grid_step_));
+  }
+
+  /** \brief Colours of what is sure. The grid is that of the image, so that it does not hang on the object's outline. */
+  void
+  takeSamples ()
+  {
+    grid_columns_ = gridPlace (first_column_, sure_.width);
+    for (int row = offsetOf (first_row_); row < sure_.height; row += grid_step_)
+    {
+      for (int column = offsetOf (first_column_); column < sure_.width; column += grid_step_)
+      {
+        for (ColorSamples& samples : samples_)
+          samples.before.push_back (static_cast<int> (samples.red.size ()));
+        if (sure_ (column, row) == unsure)
+          continue;
+        ColorSamples& samples = samples_[sure_ (column, row) == of_rest];
+        const pcl::index_t index = indexOf (column, row);
+        samples.red.push_back (cloud_.red[index]);
+        samples.green.push_back (cloud_.green[index]);
+        samples.blue.push_back (cloud_.blue[index]);
+      }
+      for (ColorSamples& samples : samples_)
+        samples.before.push_back (static_cast<int> (samples.red.size ()));
+    }
+  }
+
+  /** \brief How alike a point's colour and those of a side nearby are, 0..1, on average. \return -1 if these are too few to tell */
+  float
+  likenessTo (Side side, int column, int row) const
   {
     static const Likeness likeness;
-    constexpr int step = 3, enough = 8;
-    constexpr float clearly = 2.0f, least = 1e-3f;
+    constexpr int enough = 4;
+    const ColorSamples& samples = samples_[side == of_rest];
     const pcl::index_t index = indexOf (column, row);
     const int red = cloud_.red[index], green = cloud_.green[index], blue = cloud_.blue[index];
-    // The samples lie on the same grid around the point wherever the image ends.
-    const auto firstInImage = [this] (int place) {
-      const int first = place - reach_;
-      return (first >= 0 ? first : (step + first % step) % step);
-    };
-    const int last_row = std::min (sure_.height - 1, row + reach_), last_column = std::min (sure_.width - 1, column + reach_);
-    std::array<float, 3> sums{};
-    std::array<int, 3> counts{};
-    for (int r = firstInImage (row); r <= last_row; r += step)
+    const int left = gridPlace (first_column_, column - reach_);
+    const int right = std::min (grid_columns_, gridPlace (first_column_, column + reach_ + 1));
+    const int last_row = std::min (gridPlace (first_row_, sure_.height), gridPlace (first_row_, row + reach_ + 1));
+    float sum = 0.0f;
+    int count = 0;
+    for (int grid_row = gridPlace (first_row_, row - reach_); grid_row < last_row; ++grid_row)
     {
-      const std::uint8_t* const sides = &sure_ (0, r);
-      const pcl::index_t first = indexOf (0, r);
-      for (int c = firstInImage (column); c <= last_column; c += step)
-      {
-        if (sides[c] == unsure)
-          continue;
-        const pcl::index_t other = first + c;
-        sums[sides[c]] += likeness (cloud_.red[other] - red, cloud_.green[other] - green, cloud_.blue[other] - blue);
-        ++counts[sides[c]];
-      }
+      const int* const before = &samples.before[static_cast<std::size_t> (grid_row) * (grid_columns_ + 1)];
+      for (int i = before[left]; i < before[right]; ++i)
+        sum += likeness (samples.red[i] - red, samples.green[i] - green, samples.blue[i] - blue);
+      count += before[right] - before[left];
     }
-    if (counts[of_object] < enough || counts[of_rest] < enough)
-      return (false);
-    return (sums[of_object] / static_cast<float> (counts[of_object]) >
-            clearly * sums[of_rest] / static_cast<float> (counts[of_rest]) + least);
+    return (count < enough ? -1.0f : sum / static_cast<float> (count));
+  }
+
+  /** \brief Whether the colours of one side nearby are more likely to have this point's than those of the other. */
+  bool
+  looksLike (Side side, int column, int row) const
+  {
+    constexpr float clearly = 3.0f, least = 1e-3f;
+    const float of_other = likenessTo (side == of_object ? of_rest : of_object, column, row);
+    const float limit = clearly * of_other + least;
+    return (of_other >= 0.0f && limit < 1.0f && likenessTo (side, column, row) > limit);
   }
 
   const OrganizedCloud& cloud_;
   int width_, reach_;
+  int grid_step_; /**< between samples, pixels; more where they reach farther */
   int first_column_, first_row_;
-  Mask all_;  /**< \ref Side of every pixel; unsure where there is no point */
-  Mask sure_; /**< the same, as far as it is sure */
+  Mask all_;  /**< \ref Side of every pixel */
+  Mask sure_; /**< the same, as far as it is sure; unsure where there is no point */
+  int grid_columns_;
+  std::array<ColorSamples, 2> samples_; /**< of the object and of the rest */
 };
 
 } // namespace
@@ -224,8 +299,22 @@ private:
 void
 extendToColors (const OrganizedCloud& cloud, int width, int threads, pcl::Indices& indices)
 {
-  if (cloud.hasColor () && width > 0 && !indices.empty ())
-    Surroundings (cloud, width, indices).extend (threads, indices);
+  if (!cloud.hasColor () || width <= 0 || indices.empty ())
+    return;
+  Surroundings surroundings (cloud, width, indices);
+  surroundings.extend (false, threads);
+  indices = surroundings.indices ();
+}
+
+void
+fitToColors (const OrganizedCloud& cloud, int width, int threads, pcl::Indices& indices)
+{
+  if (!cloud.hasColor () || width <= 0 || indices.empty ())
+    return;
+  Surroundings surroundings (cloud, width, indices);
+  surroundings.shrink (threads);
+  surroundings.extend (true, threads);
+  indices = surroundings.indices ();
 }
 
 } // namespace pcl_attention

@@ -232,6 +232,8 @@ makeTable ()
              "chi-square of the colours of pieces behind an occluder of which one face goes on, and of a handle and its object")
     .number ("contour_width", &ClusteringParameters::contour_width, 0, 16, "pixels", "",
              "an object gets the points at its contour that have its colours and not those around it, so far off at most; 0: off")
+    .number ("smoothed_contour_width", &ClusteringParameters::smoothed_contour_width, 0, 16, "pixels", "",
+             "the same where the sensor smooths its depth: an object ends where colours do, so far off at most; 0: as with others")
     .toggle ("join_hollows", &ClusteringParameters::join_hollows, "",
              "join the inside of a hollow and the wall before it; off with -parts")
     .toggle ("join_handles", &ClusteringParameters::join_handles, "",

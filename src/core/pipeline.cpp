@@ -155,6 +155,7 @@ AttentionParameters::paper ()
   parameters.clustering.color_contact = 0.0f;
   parameters.clustering.recognize_hollows = false;
   parameters.clustering.contour_width = 0;
+  parameters.clustering.smoothed_contour_width = 0;
   parameters.clustering.visiblePieces ();
   parameters.segmentation.prefer_supported = false;
   parameters.segmentation.ignore_below = false;
@@ -856,7 +857,10 @@ AttentionPipeline::describe (AttentionSegment& segment) const
   segment.box.orientation = Eigen::Quaternionf (sensor_pose_.linear ()) * segment.box.orientation;
   segment.plane = transformPlane (sensor_pose_, segment.plane);
   // Last: the box is that of what the depth shows to be the object.
-  extendToColors (cloud_, parameters_.clustering.contour_width, threads_, segment.indices);
+  if (sensor_.smoothed_depth && parameters_.clustering.smoothed_contour_width > 0)
+    fitToColors (cloud_, parameters_.clustering.smoothed_contour_width, threads_, segment.indices);
+  else
+    extendToColors (cloud_, parameters_.clustering.contour_width, threads_, segment.indices);
 }
 
 } // namespace pcl_attention

@@ -10,7 +10,7 @@ namespace pcl_attention
 SensorModel
 estimateSensor (const OrganizedCloud& cloud)
 {
-  return {estimateFocalLength (cloud), estimateDepthNoise (cloud)};
+  return {estimateFocalLength (cloud), estimateDepthNoise (cloud), hasSmoothedDepth (cloud)};
 }
 
 float
@@ -46,11 +46,14 @@ estimateFocalLength (const OrganizedCloud& cloud)
   return (static_cast<float> (covariance / variance));
 }
 
-float
-estimateDepthNoise (const OrganizedCloud& cloud)
+namespace
 {
-  // The inverse depth of a plane is linear along a row, so its second difference is noise, wherever there is no edge.
-  constexpr int distance = 8;
+
+/** \brief How much the inverse depth bends from pixel to pixel so many columns apart, median, 1/m; 0 for too few points. The inverse
+  * depth of a plane is linear along a row, so that its second difference is noise, wherever there is no edge. */
+float
+medianSecondDifference (const OrganizedCloud& cloud, int distance)
+{
   std::vector<float> differences;
   const int step = std::max (1, cloud.height / 120); // some ten thousand pixels give the median to a hundredth
   for (int row = 0; row < cloud.height; row += step)
@@ -67,8 +70,24 @@ estimateDepthNoise (const OrganizedCloud& cloud)
     return (0.0f);
   const auto middle = differences.begin () + static_cast<std::ptrdiff_t> (differences.size () / 2);
   std::nth_element (differences.begin (), middle, differences.end ());
+  return (*middle);
+}
+
+} // namespace
+
+float
+estimateDepthNoise (const OrganizedCloud& cloud)
+{
   // The median of |normal| is 0.6745 standard deviations; the second difference has six times the variance.
-  return (*middle / 0.6745f / std::sqrt (6.0f));
+  return (medianSecondDifference (cloud, 8) / 0.6745f / std::sqrt (6.0f));
+}
+
+bool
+hasSmoothedDepth (const OrganizedCloud& cloud)
+{
+  constexpr float as_much = 0.42f, rounding = 1e-5f; // 1/m
+  const float far = medianSecondDifference (cloud, 16);
+  return (far > rounding && medianSecondDifference (cloud, 4) < as_much * far);
 }
 
 } // namespace pcl_attention

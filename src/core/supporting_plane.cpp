@@ -376,7 +376,7 @@ std::vector<SupportingPlane>
 findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, const NormalImage& normals,
                       const std::vector<PyramidLevel>& coarser, const SupportParameters& parameters, int threads)
 {
-  const auto [focal_length, noise] = sensor;
+  const float focal_length = sensor.focal_length, noise = sensor.depth_noise;
   if (focal_length <= 0.0f)
     return {};
   // The mean over many points shows planes whose noise breaks them into fragments at full size, in a fraction of the time.

@@ -160,6 +160,14 @@ TEST (RenderedScenes, aStereoCameraSeesObjectsThatStandAlone)
   EXPECT_GT (stereoScore (SceneKind::separate, 4), 0.93);
 }
 
+TEST (RenderedScenes, whereAStereoCameraSmoothsContoursAwayColorsShowThem)
+{
+  AttentionParameters as_with_a_kinect;
+  as_with_a_kinect.clustering.smoothed_contour_width = 0;
+  const double fitted = stereoScore (SceneKind::separate, 4), extended = stereoScore (SceneKind::separate, 4, as_with_a_kinect);
+  EXPECT_GT (fitted, extended + 0.003);
+}
+
 TEST (RenderedScenes, whereAStereoCameraSmoothsStepsAwayColorsShowThem)
 {
   AttentionParameters whole_patches;

@@ -114,6 +114,7 @@ TEST_F (Segmentation, GivesSegmentsOfTheSmallestSizeAndNoneBelow)
   std::size_t smallest = std::numeric_limits<std::size_t>::max ();
   const auto segmentsOfAtLeast = [&] (std::size_t size) {
     pcl_attention::AttentionParameters parameters = pointByPoint ();
+    parameters.clustering.contour_width = 0; // the size is judged before
     parameters.segmentation.minimum_segment_size = static_cast<int> (size);
     segmentation.setParameters (parameters);
     const std::vector<pcl::AttentionSegment> segments = segment ();

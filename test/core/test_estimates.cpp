@@ -73,6 +73,42 @@ TEST (DepthNoise, OfExactPlanesIsZeroAndOfTinyCloudsUnknown)
   EXPECT_EQ (estimateDepthNoise (shapes::hills (1, {12, 10}).cloud), 0.0f);
 }
 
+TEST (SmoothedDepth, IsToldFromIndependentNoise)
+{
+  const OrganizedCloud independent = noisyPlane (1e-3, {0.5, -0.6, -1}, 1.0, 1).cloud;
+  EXPECT_FALSE (hasSmoothedDepth (independent));
+  // A sensor that averages over windows, of 3 and of 17 columns: noise 4 columns apart has nothing in common, and most of it.
+  for (const int around : {1, 8})
+  {
+    OrganizedCloud smoothed = independent;
+    for (int row = 0; row < 150; ++row)
+      for (int column = 0; column < 200; ++column)
+      {
+        double sum = 0.0;
+        int count = 0;
+        for (int other = std::max (0, column - around); other <= std::min (199, column + around); ++other, ++count)
+          sum += 1.0 / independent.z[row * 200 + other];
+        smoothed.z[row * 200 + column] = static_cast<float> (count / sum);
+      }
+    EXPECT_EQ (hasSmoothedDepth (smoothed), around == 8) << around;
+  }
+  EXPECT_FALSE (hasSmoothedDepth (shapes::look (shapes::plane ({0, 0, 1}, {0.5, 0.2, -1})).cloud)) << "exact";
+  EXPECT_FALSE (hasSmoothedDepth (shapes::emptyFrame (200, 150).cloud)) << "without points";
+}
+
+TEST (SmoothedDepth, IsTheStereoCamerasAndNotTheKinects)
+{
+  for (const SceneKind kind : {SceneKind::clutter, SceneKind::empty_table, SceneKind::separate})
+    for (const SceneSensor sensor : {SceneSensor::kinect, SceneSensor::stereo})
+    {
+      SceneDescription scene = makeScene (kind, 3);
+      scene.noise.sensor = sensor;
+      const OrganizedCloud cloud = gather (*renderScene (scene, 3), nullptr);
+      EXPECT_EQ (hasSmoothedDepth (cloud), sensor == SceneSensor::stereo) << sceneKindName (kind);
+      EXPECT_EQ (estimateSensor (cloud).smoothed_depth, sensor == SceneSensor::stereo);
+    }
+}
+
 TEST (FocalLength, IsThatOfTheCamera)
 {
   for (const double focal_length : {120.0, 525.0, 1050.0})

@@ -62,6 +62,16 @@ extended (const Frame& frame, const pcl::Indices& indices, int width = 3)
   return (result);
 }
 
+pcl::Indices
+fitted (const Frame& frame, const pcl::Indices& indices, int width = 6)
+{
+  pcl::Indices result = indices, of_two_threads = indices;
+  fitToColors (frame.cloud, width, 1, result);
+  fitToColors (frame.cloud, width, 2, of_two_threads);
+  EXPECT_EQ (of_two_threads, result);
+  return (result);
+}
+
 } // namespace
 
 TEST (ObjectContour, followsTheColours)
@@ -133,4 +143,50 @@ TEST (ObjectContour, endsAtTheImage)
         corner.push_back (i);
     }
   EXPECT_EQ (extended (frame, corner), expected);
+}
+
+TEST (ObjectContour, isFittedToColoursFromBothSidesAndAcrossJumps)
+{
+  Frame frame = scene (red);
+  // The depth of the object goes on for five pixels around it on one side, and ends five too early on the other.
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      if (column < 25 || column >= 65)
+        frame.cloud.z[frame.index (column, row)] += 0.2f;
+  pcl::Indices displaced;
+  for (const pcl::index_t i : square (0))
+    displaced.push_back (i - 5);
+  EXPECT_EQ (fitted (frame, displaced), square (0));
+  for (const int less : {-5, -2, 0, 3, 5})
+    EXPECT_EQ (fitted (frame, square (less)), square (0)) << less;
+}
+
+TEST (ObjectContour, isFittedNoFartherThanItsWidth)
+{
+  const Frame frame = scene (red);
+  EXPECT_EQ (fitted (frame, square (8), 6), square (2));
+  EXPECT_EQ (fitted (frame, square (-6), 5), square (-1));
+}
+
+TEST (ObjectContour, isFittedNowhereWhereColoursTellNothing)
+{
+  EXPECT_EQ (fitted (scene (blue), square (2)), square (2));
+  EXPECT_EQ (fitted (scene (red), square (2), 0), square (2)) << "of no width";
+  EXPECT_EQ (fitted (scene (red), {}), pcl::Indices ());
+  Frame frame = scene (red);
+  for (auto* channel : {&frame.cloud.red, &frame.cloud.green, &frame.cloud.blue})
+    channel->clear ();
+  EXPECT_EQ (fitted (frame, square (-2)), square (-2)) << "of no colours";
+}
+
+TEST (ObjectContour, hasNoPointWithoutDepth)
+{
+  Frame frame = scene (red);
+  pcl::Indices expected;
+  for (const pcl::index_t i : square (0))
+    if (i % columns == 31)
+      frame.cloud.valid[i] = 0;
+    else if (i % columns > 31)
+      expected.push_back (i);
+  EXPECT_EQ (fitted (frame, square (3)), expected);
 }

@@ -74,6 +74,8 @@ struct ClusteringParameters
                                         object, chi-square, 0..1 */
   int contour_width{3};               /**< an object gets the points at its contour that have its colours and not those around it, at
                                         most so far off, pixels; 0: off. The planes' ends are known to some pixels only */
+  int smoothed_contour_width{6};      /**< the same where the sensor smooths its depth, with which colours take points away too, and
+                                        jumps do not tell to the pixel where an object ends; 0: as with other sensors */
   bool join_hollows{true};            /**< join the inside of a hollow and the wall before it; off with -parts */
   bool join_handles{true};            /**< join a thin piece that hangs on an object and on nothing else; off with -parts */
   bool join_occluded{true};           /**< join pieces of one object that an occluder separates; off with -parts */

@@ -18,4 +18,13 @@ namespace pcl_attention
 PCL_ATTENTION_EXPORTS void
 extendToColors (const OrganizedCloud& cloud, int width, int threads, pcl::Indices& indices);
 
+/** \brief Let an object end where colours do, within some pixels, across jumps of the depth as well: for sensors that smooth their
+  * depth, with which points of what lies around get the depth of the object, and points of the object that of what lies around.
+  * Does nothing without colours.
+  * \param[in] width how far its contour may move, pixels
+  * \param[in] threads that decide; the result does not depend on them
+  * \param[in,out] indices of the object's points in the cloud, ascending */
+PCL_ATTENTION_EXPORTS void
+fitToColors (const OrganizedCloud& cloud, int width, int threads, pcl::Indices& indices);
+
 } // namespace pcl_attention
