@@ -250,9 +250,11 @@ private:
     }
   }
 
-  /** \brief How alike a point's colour and those of a side nearby are, 0..1, on average. \return -1 if these are too few to tell */
+  /** \brief How alike a point's colour and those of a side nearby are, 0..1, on average.
+    * \param[in] most what is more need not be known: it is returned as this
+    * \return -1 if there are too few of them to tell */
   float
-  likenessTo (Side side, int column, int row) const
+  likenessTo (Side side, int column, int row, float most) const
   {
     static const Likeness likeness;
     constexpr int enough = 4;
@@ -261,27 +263,37 @@ private:
     const int red = cloud_.red[index], green = cloud_.green[index], blue = cloud_.blue[index];
     const int left = gridPlace (first_column_, column - reach_);
     const int right = std::min (grid_columns_, gridPlace (first_column_, column + reach_ + 1));
+    const int first_row = gridPlace (first_row_, row - reach_);
     const int last_row = std::min (gridPlace (first_row_, sure_.height), gridPlace (first_row_, row + reach_ + 1));
-    float sum = 0.0f;
+    const auto rowAt = [&] (int grid_row) { return (&samples.before[static_cast<std::size_t> (grid_row) * (grid_columns_ + 1)]); };
     int count = 0;
-    for (int grid_row = gridPlace (first_row_, row - reach_); grid_row < last_row; ++grid_row)
+    for (int grid_row = first_row; grid_row < last_row; ++grid_row)
+      count += rowAt (grid_row)[right] - rowAt (grid_row)[left];
+    if (count < enough)
+      return (-1.0f);
+    const float most_of_all = most * static_cast<float> (count);
+    float sum = 0.0f;
+    for (int grid_row = first_row; grid_row < last_row; ++grid_row)
     {
-      const int* const before = &samples.before[static_cast<std::size_t> (grid_row) * (grid_columns_ + 1)];
-      for (int i = before[left]; i < before[right]; ++i)
+      const int end = rowAt (grid_row)[right];
+      for (int i = rowAt (grid_row)[left]; i < end; ++i)
         sum += likeness (samples.red[i] - red, samples.green[i] - green, samples.blue[i] - blue);
-      count += before[right] - before[left];
+      if (sum >= most_of_all)
+        return (most);
     }
-    return (count < enough ? -1.0f : sum / static_cast<float> (count));
+    return (sum / static_cast<float> (count));
   }
 
   /** \brief Whether the colours of one side nearby are more likely to have this point's than those of the other. */
   bool
   looksLike (Side side, int column, int row) const
   {
-    constexpr float clearly = 3.0f, least = 1e-3f;
-    const float of_other = likenessTo (side == of_object ? of_rest : of_object, column, row);
+    constexpr float clearly = 3.0f, least = 1e-3f, too_like = (1.0f - least) / clearly;
+    const float of_other = likenessTo (side == of_object ? of_rest : of_object, column, row, too_like);
+    if (of_other < 0.0f || of_other >= too_like)
+      return (false);
     const float limit = clearly * of_other + least;
-    return (of_other >= 0.0f && limit < 1.0f && likenessTo (side, column, row) > limit);
+    return (likenessTo (side, column, row, limit) >= limit);
   }
 
   const OrganizedCloud& cloud_;
