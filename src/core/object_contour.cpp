@@ -306,27 +306,31 @@ private:
   std::array<ColorSamples, 2> samples_; /**< of the object and of the rest */
 };
 
+/** \brief Let a contour move to the colours, outwards up to jumps of the depth, or either way and across them. */
+void
+moveContour (const OrganizedCloud& cloud, int width, int threads, bool either_way, pcl::Indices& indices)
+{
+  if (!cloud.hasColor () || width <= 0 || indices.empty ())
+    return;
+  Surroundings surroundings (cloud, width, indices);
+  if (either_way)
+    surroundings.shrink (threads);
+  surroundings.extend (either_way, threads);
+  indices = surroundings.indices ();
+}
+
 } // namespace
 
 void
 extendToColors (const OrganizedCloud& cloud, int width, int threads, pcl::Indices& indices)
 {
-  if (!cloud.hasColor () || width <= 0 || indices.empty ())
-    return;
-  Surroundings surroundings (cloud, width, indices);
-  surroundings.extend (false, threads);
-  indices = surroundings.indices ();
+  moveContour (cloud, width, threads, false, indices);
 }
 
 void
 fitToColors (const OrganizedCloud& cloud, int width, int threads, pcl::Indices& indices)
 {
-  if (!cloud.hasColor () || width <= 0 || indices.empty ())
-    return;
-  Surroundings surroundings (cloud, width, indices);
-  surroundings.shrink (threads);
-  surroundings.extend (true, threads);
-  indices = surroundings.indices ();
+  moveContour (cloud, width, threads, true, indices);
 }
 
 } // namespace pcl_attention

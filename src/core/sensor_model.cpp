@@ -7,6 +7,35 @@
 namespace pcl_attention
 {
 
+namespace
+{
+
+/** \brief How much the inverse depth bends from pixel to pixel so many columns apart, median, 1/m; 0 for too few points. The inverse
+  * depth of a plane is linear along a row, so that its second difference is noise, wherever there is no edge. */
+float
+medianSecondDifference (const OrganizedCloud& cloud, int distance)
+{
+  std::vector<float> differences;
+  const int step = std::max (1, cloud.height / 120); // some ten thousand pixels give the median to a hundredth
+  for (int row = 0; row < cloud.height; row += step)
+    for (int column = distance; column + distance < cloud.width; column += step)
+    {
+      const std::size_t index = static_cast<std::size_t> (row) * cloud.width + column;
+      if (!cloud.valid[index] || !cloud.valid[index - distance] || !cloud.valid[index + distance] ||
+          std::min ({cloud.z[index], cloud.z[index - distance], cloud.z[index + distance]}) <= 0.0f)
+        continue;
+      differences.push_back (std::abs (1.0f / cloud.z[index - distance] + 1.0f / cloud.z[index + distance] -
+                                       2.0f / cloud.z[index]));
+    }
+  if (differences.size () < 100)
+    return (0.0f);
+  const auto middle = differences.begin () + static_cast<std::ptrdiff_t> (differences.size () / 2);
+  std::nth_element (differences.begin (), middle, differences.end ());
+  return (*middle);
+}
+
+} // namespace
+
 SensorModel
 estimateSensor (const OrganizedCloud& cloud)
 {
@@ -46,35 +75,6 @@ estimateFocalLength (const OrganizedCloud& cloud)
   return (static_cast<float> (covariance / variance));
 }
 
-namespace
-{
-
-/** \brief How much the inverse depth bends from pixel to pixel so many columns apart, median, 1/m; 0 for too few points. The inverse
-  * depth of a plane is linear along a row, so that its second difference is noise, wherever there is no edge. */
-float
-medianSecondDifference (const OrganizedCloud& cloud, int distance)
-{
-  std::vector<float> differences;
-  const int step = std::max (1, cloud.height / 120); // some ten thousand pixels give the median to a hundredth
-  for (int row = 0; row < cloud.height; row += step)
-    for (int column = distance; column + distance < cloud.width; column += step)
-    {
-      const std::size_t index = static_cast<std::size_t> (row) * cloud.width + column;
-      if (!cloud.valid[index] || !cloud.valid[index - distance] || !cloud.valid[index + distance] ||
-          std::min ({cloud.z[index], cloud.z[index - distance], cloud.z[index + distance]}) <= 0.0f)
-        continue;
-      differences.push_back (std::abs (1.0f / cloud.z[index - distance] + 1.0f / cloud.z[index + distance] -
-                                       2.0f / cloud.z[index]));
-    }
-  if (differences.size () < 100)
-    return (0.0f);
-  const auto middle = differences.begin () + static_cast<std::ptrdiff_t> (differences.size () / 2);
-  std::nth_element (differences.begin (), middle, differences.end ());
-  return (*middle);
-}
-
-} // namespace
-
 float
 estimateDepthNoise (const OrganizedCloud& cloud)
 {
@@ -85,7 +85,8 @@ estimateDepthNoise (const OrganizedCloud& cloud)
 bool
 hasSmoothedDepth (const OrganizedCloud& cloud)
 {
-  constexpr float as_much = 0.42f, rounding = 1e-5f; // 1/m
+  constexpr float as_much = 0.42f; // in the middle between recordings of both kinds
+  constexpr float rounding = 1e-5f; // 1/m
   const float far = medianSecondDifference (cloud, 16);
   return (far > rounding && medianSecondDifference (cloud, 4) < as_much * far);
 }

@@ -450,7 +450,8 @@ findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, co
     graph_parameters.connection_distance *= 2.0f;
     graph_parameters.maximum_gap /= scale;
     graph_parameters.sample_distance = std::max (2, graph_parameters.sample_distance / scale);
-    const PatchGraph graph = buildPatchGraph (coarse, estimateSensor (coarse), coarse_normals, patches.labels,
+    const SensorModel coarse_sensor{estimateFocalLength (coarse), estimateDepthNoise (coarse)};
+    const PatchGraph graph = buildPatchGraph (coarse, coarse_sensor, coarse_normals, patches.labels,
                                               static_cast<int> (patches.patches.size ()), graph_parameters);
     for (CoarsePlane& candidate : found)
       candidate.score *= scale * concaveBorder (graph, candidate.label) + 20.0;

@@ -52,24 +52,29 @@ scene (const std::array<int, 3>& of_square)
   return (frame);
 }
 
+using MoveContour = void (const pcl_attention::OrganizedCloud&, int, int, pcl::Indices&);
+
+/** \brief Of one thread, which two agree with. */
 pcl::Indices
-extended (const Frame& frame, const pcl::Indices& indices, int width = 3)
+moved (MoveContour& move, const Frame& frame, const pcl::Indices& indices, int width)
 {
   pcl::Indices result = indices, of_two_threads = indices;
-  extendToColors (frame.cloud, width, 1, result);
-  extendToColors (frame.cloud, width, 2, of_two_threads);
+  move (frame.cloud, width, 1, result);
+  move (frame.cloud, width, 2, of_two_threads);
   EXPECT_EQ (of_two_threads, result);
   return (result);
 }
 
 pcl::Indices
+extended (const Frame& frame, const pcl::Indices& indices, int width = 3)
+{
+  return (moved (extendToColors, frame, indices, width));
+}
+
+pcl::Indices
 fitted (const Frame& frame, const pcl::Indices& indices, int width = 6)
 {
-  pcl::Indices result = indices, of_two_threads = indices;
-  fitToColors (frame.cloud, width, 1, result);
-  fitToColors (frame.cloud, width, 2, of_two_threads);
-  EXPECT_EQ (of_two_threads, result);
-  return (result);
+  return (moved (fitToColors, frame, indices, width));
 }
 
 } // namespace
