@@ -244,8 +244,8 @@ makeTable ()
   rowsOf (table, "segmentation", &P::segmentation)
     .toggle ("prefer_supported", &SegmentationParameters::prefer_supported, "",
              "what stands on the supporting plane first, then the rest, each by saliency")
-    .toggle ("ignore_below", &SegmentationParameters::ignore_below, "",
-             "what lies below a certain supporting plane is no object, unless something is asked for")
+    .toggle ("ignore_surroundings", &SegmentationParameters::ignore_surroundings, "",
+             "what lies below a certain supporting plane, or stands beside it, is no object, unless something is asked for")
     .toggle ("inhibition_of_return", &SegmentationParameters::inhibition_of_return, "",
              "skip attention points that lie in an earlier segment or lead to one again")
     .number ("full_size", &SegmentationParameters::full_size, 0, 100, "m^2", "",

@@ -158,7 +158,7 @@ AttentionParameters::paper ()
   parameters.clustering.smoothed_contour_width = 0;
   parameters.clustering.visiblePieces ();
   parameters.segmentation.prefer_supported = false;
-  parameters.segmentation.ignore_below = false;
+  parameters.segmentation.ignore_surroundings = false;
   parameters.segmentation.full_size = 0.0f;
   parameters.segmentation.inhibition_of_return = false;
   parameters.segmentation.fixation_margin = 0;
@@ -406,7 +406,11 @@ AttentionPipeline::preparePatches ()
     if (error)
       std::rethrow_exception (error);
   for (SupportingPlane& plane : *supporting_planes_)
+  {
     plane.coefficients = transformPlane (sensor_pose_, plane.coefficients);
+    for (Eigen::Vector3f& corner : plane.outline)
+      corner = sensor_pose_ * corner;
+  }
 }
 
 void
@@ -566,6 +570,8 @@ AttentionPipeline::coveragePoints () const
     point.column = center % cloud_.width;
     point.row = center / cloud_.width;
     point.kind = AttentionPointKind::coverage;
+    if (isIgnored (point))
+      continue;
     if (!prior_weights_.data.empty ())
       point.weight = prior_weights_[center];
     points.push_back (point);
@@ -584,14 +590,15 @@ bool
 AttentionPipeline::isIgnored (const AttentionPoint& point) const
 {
   // A table's top is some centimetres thick, and bent as the sensor sees it.
-  constexpr float certain = 0.9f, clearly_below = 0.05f;
-  if (!parameters_.segmentation.ignore_below || points_are_users_ || !prior_.empty () || supporting_planes_->empty ())
+  constexpr float certain = 0.9f, clearly_below = 0.05f, clearly_beside = 0.02f;
+  if (!parameters_.segmentation.ignore_surroundings || points_are_users_ || !prior_.empty () || supporting_planes_->empty ())
     return (false);
   const SupportingPlane& plane = supporting_planes_->front ();
   if (!plane.supports_objects || plane.confidence < certain)
     return (false);
   const Eigen::Vector3f position = sensor_pose_ * pointAt (cloud_, indexOf (point));
-  return (plane.coefficients.head<3> ().dot (position) + plane.coefficients[3] < -clearly_below);
+  return (plane.coefficients.head<3> ().dot (position) + plane.coefficients[3] < -clearly_below ||
+          liesBeside (plane, position, clearly_beside));
 }
 
 AttentionPipeline::Priority

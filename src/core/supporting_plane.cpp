@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace pcl_attention
 {
@@ -84,6 +85,17 @@ public:
     }
     if (area < 0.0f)
       std::reverse (outline_.begin (), outline_.end ());
+  }
+
+  /** \brief Its corners, counter-clockwise as seen from where the normal points.
+    * \param[in] plane it is of */
+  std::vector<Eigen::Vector3f>
+  corners (const Eigen::Vector4f& plane) const
+  {
+    std::vector<Eigen::Vector3f> result;
+    for (const Eigen::Vector3f& corner : outline_)
+      result.push_back (corner.x () * axis1_ + corner.y () * axis2_ - plane[3] * plane.head<3> ());
+    return (result);
   }
 
   /** \brief Which points lie over it, margin metres around it counting.
@@ -268,6 +280,52 @@ dropIslands (const OrganizedCloud& cloud, pcl::Indices& indices)
                  indices.end ());
 }
 
+/** \brief Of each row the outermost points of a plane that are not of its small pieces, like a seat behind a table that happens to be
+  * as high, which narrow bridges do not join.
+  * \param[in] indices of all its points, ascending
+  * \param[in] spacing of the points that are looked at, pixels: bridges of two or less are narrow */
+pcl::Indices
+rowEndsOfLargePieces (const OrganizedCloud& cloud, const pcl::Indices& indices, int spacing)
+{
+  constexpr float smallest_share = 0.1f;
+  const auto beginOf = [&] (int row) { return (std::lower_bound (indices.begin (), indices.end (), row * cloud.width)); };
+  Image<std::uint8_t> samples ((cloud.width + spacing - 1) / spacing, (cloud.height + spacing - 1) / spacing, 0);
+  for (int row = 0; row < samples.height; ++row)
+    std::for_each (beginOf (row * spacing), beginOf (row * spacing + 1), [&] (pcl::index_t index) {
+      if (const int column = index - row * spacing * cloud.width; column % spacing == 0)
+        samples (column / spacing, row) = 1;
+    });
+  const auto isOn = [&] (int column, int row) { return (!samples.contains (column, row) || samples (column, row)); };
+  Image<std::uint8_t> inner (samples.width, samples.height, 0);
+  for (int row = 0; row < samples.height; ++row)
+    for (int column = 0; column < samples.width; ++column)
+      inner (column, row) = isOn (column, row) && isOn (column + 1, row) && isOn (column - 1, row) && isOn (column, row + 1) &&
+                            isOn (column, row - 1);
+  Image<int> pieces;
+  std::vector<int> sizes (labelConnectedComponents (inner, pieces) + 1, 0);
+  for (const int piece : pieces.data)
+    ++sizes[piece];
+  sizes[0] = 0;
+  const float smallest = smallest_share * static_cast<float> (*std::max_element (sizes.begin (), sizes.end ()));
+  pcl::Indices ends;
+  for (int row = 0; row < cloud.height; ++row)
+  {
+    const auto isLarge = [&] (pcl::index_t index) {
+      const int piece = pieces ((index - row * cloud.width) / spacing, row / spacing);
+      return (piece > 0 && static_cast<float> (sizes[piece]) >= smallest);
+    };
+    const auto begin = beginOf (row), end = beginOf (row + 1);
+    const auto first = std::find_if (begin, end, isLarge);
+    if (first == end)
+      continue;
+    const auto last = std::find_if (std::make_reverse_iterator (end), std::make_reverse_iterator (first + 1), isLarge);
+    ends.push_back (*first);
+    if (last != std::make_reverse_iterator (first + 1))
+      ends.push_back (*last);
+  }
+  return (ends);
+}
+
 float
 areaOf (const OrganizedCloud& cloud, const pcl::Indices& indices, const Eigen::Vector3f& normal, float focal_length)
 {
@@ -328,6 +386,39 @@ coarsePatches (const OrganizedCloud& cloud, int scale, float noise, NormalImage&
   return (patches);
 }
 
+/** \brief Fill in a plane's outline and where it ends.
+  * \param[in] spacing see \ref rowEndsOfLargePieces */
+void
+describeOutline (const OrganizedCloud& cloud, const SensorModel& sensor, int spacing, SupportingPlane& plane)
+{
+  constexpr float beyond = 0.03f, step = 0.01f, clearance = 0.02f;
+  const Eigen::Vector3f normal = plane.coefficients.head<3> (), known = pointAt (cloud, plane.indices.front ());
+  plane.outline = Footprint (cloud, rowEndsOfLargePieces (cloud, plane.indices, spacing), normal).corners (plane.coefficients);
+  const auto isHidden = [&] (const Eigen::Vector3f& place) {
+    if (place.z () <= 0.0f)
+      return (true);
+    const Eigen::Vector2f shift = sensor.focal_length * (place.head<2> () / place.z () - known.head<2> () / known.z ());
+    const int column = plane.indices.front () % cloud.width + static_cast<int> (std::lround (shift.x ()));
+    const int row = plane.indices.front () / cloud.width + static_cast<int> (std::lround (shift.y ()));
+    if (column < 0 || row < 0 || column >= cloud.width || row >= cloud.height)
+      return (true);
+    const int index = row * cloud.width + column;
+    return (cloud.valid[index] && normal.dot (pointAt (cloud, index)) + plane.coefficients[3] > clearance);
+  };
+  for (std::size_t i = 0; i < plane.outline.size (); ++i)
+  {
+    const Eigen::Vector3f& corner = plane.outline[i];
+    const Eigen::Vector3f edge = plane.outline[(i + 1) % plane.outline.size ()] - corner;
+    const Eigen::Vector3f outwards = edge.cross (normal).normalized ();
+    const int samples = 1 + static_cast<int> (edge.norm () / step);
+    int hidden = 0;
+    for (int k = 0; k < samples; ++k)
+      hidden += isHidden (corner + (static_cast<float> (k) + 0.5f) / static_cast<float> (samples) * edge + beyond * outwards);
+    // Edges are straight: where a part of one is seen is seen where it ends.
+    plane.ends.push_back (3 * hidden <= 2 * samples);
+  }
+}
+
 /** \brief A plane of the background as far as the coarse scene shows it. */
 struct CoarsePlane
 {
@@ -384,7 +475,7 @@ findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, co
   const OrganizedCloud& coarse = levels == 0 ? cloud : coarser[levels - 1].cloud;
   NormalImage coarse_normals;
   const PlanarPatches patches = coarsePatches (coarse, scale, noise, coarse_normals);
-  const float coarse_focal_length = focal_length / static_cast<float> (scale);
+  const SensorModel coarse_sensor{focal_length / static_cast<float> (scale), noise};
 
   constexpr std::size_t smallest = 12;
   std::vector<int> candidates; // labels
@@ -401,17 +492,15 @@ findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, co
     return (2 * static_cast<std::size_t> (count) > indices.size ());
   };
   std::vector<CoarsePlane> found;
-  for (const int label : candidates)
-  {
+  const auto judge = [&] (int label, float minimum_area) {
     const PlanarPatch& patch = patches.patches[label - 1];
-    if (isMostlyTaken (patch.pixels) ||
-        areaOf (coarse, patch.pixels, patch.normal, coarse_focal_length) < parameters.minimum_area)
-      continue;
+    if (isMostlyTaken (patch.pixels) || areaOf (coarse, patch.pixels, patch.normal, coarse_sensor.focal_length) < minimum_area)
+      return;
     SupportingPlane plane = fitToPatch (coarse, coarse_normals, patch, noise, parameters, smallest, threads);
     if (plane.indices.empty ())
-      continue;
+      return;
     const Eigen::Vector3f normal = plane.coefficients.head<3> ();
-    const Footprint footprint (coarse, patch.pixels, normal);
+    const Footprint footprint (coarse, rowEndsOfLargePieces (coarse, plane.indices, 1), normal);
     const double pixels = scale * scale; // of the scene itself to one of these
     // The floor under a box faces as its top does; a wall that goes on down behind a table does not.
     constexpr float facing_alike = 0.7f;
@@ -436,11 +525,22 @@ findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, co
         below += pixels;
     }
     plane.confidence = static_cast<float> ((over + 100.0) / (over + below + 100.0));
-    const double score =
-      static_cast<double> (patch.pixels.size ()) * (over + 300.0) * plane.confidence * plane.confidence;
+    const double score = static_cast<double> (plane.indices.size ()) * (over + 300.0) * plane.confidence * plane.confidence;
     for (const pcl::index_t index : plane.indices)
       taken[index] = 1;
     found.push_back ({std::move (plane), label, score});
+  };
+  // Of a floor under many things, as in a bin, little shows between them.
+  constexpr float share_between = 0.1f;
+  for (const float share : {1.0f, share_between})
+  {
+    if (std::any_of (found.begin (), found.end (), [&] (const CoarsePlane& candidate) {
+          return (candidate.plane.confidence >= parameters.minimum_confidence);
+        }))
+      break;
+    found.clear ();
+    std::fill (taken.begin (), taken.end (), 0);
+    std::for_each (candidates.begin (), candidates.end (), [&] (int label) { judge (label, share * parameters.minimum_area); });
   }
 
   // What stands on a plane meets it in a concave edge.
@@ -450,7 +550,6 @@ findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, co
     graph_parameters.connection_distance *= 2.0f;
     graph_parameters.maximum_gap /= scale;
     graph_parameters.sample_distance = std::max (2, graph_parameters.sample_distance / scale);
-    const SensorModel coarse_sensor{estimateFocalLength (coarse), estimateDepthNoise (coarse)};
     const PatchGraph graph = buildPatchGraph (coarse, coarse_sensor, coarse_normals, patches.labels,
                                               static_cast<int> (patches.patches.size ()), graph_parameters);
     for (CoarsePlane& candidate : found)
@@ -485,6 +584,8 @@ findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, co
       continue;
     for (const pcl::index_t index : plane.indices)
       taken[index] = 1;
+    if (plane.supports_objects)
+      describeOutline (cloud, sensor, scale, plane);
     planes.push_back (std::move (plane));
   }
   return (planes);
@@ -495,6 +596,28 @@ findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane, int t
 {
   const Eigen::Vector3f normal = plane.coefficients.head<3> ();
   return (Footprint (cloud, plane.indices, normal).pointsOver (cloud, plane.coefficients, 0.05f, 0.0f, 0.5f, threads));
+}
+
+bool
+liesBeside (const SupportingPlane& plane, const Eigen::Vector3f& point, float margin)
+{
+  const Eigen::Vector3f normal = plane.coefficients.head<3> ();
+  const std::size_t corners = plane.outline.size ();
+  Eigen::Vector3f middle = Eigen::Vector3f::Zero ();
+  for (const Eigen::Vector3f& corner : plane.outline)
+    middle += corner / static_cast<float> (corners);
+  // Which side of the line from the middle to the point a corner lies on.
+  const auto isLeft = [&] (const Eigen::Vector3f& corner) { return (normal.dot ((point - middle).cross (corner - middle)) > 0.0f); };
+  for (std::size_t i = 0; i < corners; ++i)
+  {
+    const Eigen::Vector3f& corner = plane.outline[i];
+    const Eigen::Vector3f& next = plane.outline[(i + 1) % corners];
+    if (isLeft (corner) || !isLeft (next))
+      continue;
+    const Eigen::Vector3f edge = next - corner;
+    return (plane.ends[i] && normal.dot (edge.cross (point - corner)) < -margin * edge.norm ());
+  }
+  return (false);
 }
 
 Image<int>

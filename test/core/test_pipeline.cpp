@@ -248,48 +248,63 @@ TEST (Pipeline, visitsPointsInTheUsersOrder)
   }
 }
 
-TEST (Pipeline, ignoresWhatLiesBelowTheTableUnlessSomethingIsAskedFor)
+namespace
+{
+
+SceneObject
+boxAt (const Eigen::Vector3d& size, const Eigen::Vector3d& center, std::uint32_t label)
+{
+  SceneObject box;
+  box.size = size;
+  box.pose.translation () = center;
+  box.label = label;
+  return (box);
+}
+
+/** \brief A table with boxes 20 and 40 on it, over a floor, and box 30 somewhere; 20 and 30 are salient, 40 is not. */
+struct TableScene
 {
   SceneDescription scene;
-  const auto boxAt = [] (const Eigen::Vector3d& size, const Eigen::Vector3d& center, std::uint32_t label) {
-    SceneObject box;
-    box.size = size;
-    box.pose.translation () = center;
-    box.label = label;
-    return (box);
-  };
-  SceneObject floor;
-  floor.shape = SceneShape::plane;
-  floor.pose.translation ().z () = -0.5;
-  floor.label = scene_label::floor;
-  scene.supports = {boxAt ({1.4, 1.2, 0.03}, {-0.2, 0.0, -0.015}, scene_label::table), floor};
-  scene.objects = {boxAt ({0.15, 0.15, 0.15}, {0.15, 0.0, 0.075}, 20), boxAt ({0.2, 0.2, 0.2}, {0.7, 0.0, -0.4}, 30),
-                   boxAt ({0.15, 0.15, 0.15}, {-0.2, 0.1, 0.075}, 40)};
-  scene.camera = scene.camera.resized (320, 240);
-  scene.camera.lookAt ({0.4, -0.7, 0.8}, {0.25, 0.0, 0.0});
-  scene.world_frame = true; // planes are in the frame of the cloud, points in the sensor's
-  const auto rendered = renderScene (scene, 1);
-  Image<float> saliency (320, 240, 0.0f); // a bar in the middle of the two boxes
-  for (const std::uint32_t label : {20u, 30u})
+
+  explicit TableScene (const SceneObject& other)
   {
-    int count = 0, columns = 0, rows = 0;
-    for (std::size_t index = 0; index < rendered->size (); ++index)
-      if ((*rendered)[index].label == label)
-      {
-        ++count;
-        columns += static_cast<int> (index % 320);
-        rows += static_cast<int> (index / 320);
-      }
-    ASSERT_GT (count, 500);
-    for (int step = -4; step <= 4; ++step)
-      saliency (columns / count + step, rows / count) = 1.0f;
+    SceneObject floor;
+    floor.shape = SceneShape::plane;
+    floor.pose.translation ().z () = -0.5;
+    floor.label = scene_label::floor;
+    scene.supports = {boxAt ({1.4, 1.2, 0.03}, {-0.2, 0.0, -0.015}, scene_label::table), floor};
+    scene.objects = {boxAt ({0.15, 0.15, 0.15}, {0.15, 0.0, 0.075}, 20), other, boxAt ({0.15, 0.15, 0.15}, {-0.2, 0.1, 0.075}, 40)};
+    scene.camera = scene.camera.resized (320, 240);
+    scene.camera.lookAt ({0.4, -0.7, 0.8}, {0.25, 0.0, 0.0});
+    scene.world_frame = true; // planes are in the frame of the cloud, points in the sensor's
   }
-  const auto labelsFound = [&] (bool ignore_below, bool ask) {
+
+  /** \brief Labels of the objects that are found.
+    * \param[in] ask for anything up to ten metres away */
+  std::set<std::uint32_t>
+  labelsFound (bool ignore_surroundings, bool ask = false) const
+  {
+    const auto rendered = renderScene (scene, 1);
+    Image<float> saliency (320, 240, 0.0f); // a bar in the middle of the two boxes
+    for (const std::uint32_t label : {20u, 30u})
+    {
+      int count = 0, columns = 0, rows = 0;
+      for (std::size_t index = 0; index < rendered->size (); ++index)
+        if ((*rendered)[index].label == label)
+        {
+          ++count;
+          columns += static_cast<int> (index % 320);
+          rows += static_cast<int> (index / 320);
+        }
+      EXPECT_GT (count, 500) << label;
+      for (int step = -4; step <= 4; ++step)
+        saliency (columns / std::max (1, count) + step, rows / std::max (1, count)) = 1.0f;
+    }
     AttentionParameters parameters;
-    parameters.segmentation.ignore_below = ignore_below;
+    parameters.segmentation.ignore_surroundings = ignore_surroundings;
     AttentionPipeline pipeline;
     pipeline.start (gather (*rendered, nullptr), sensorPose (*rendered), parameters, 1);
-    pipeline.setSaliency (Image<float> (saliency));
+    pipeline.setSaliency (std::move (saliency));
     if (ask)
     {
       AttentionPrior prior;
@@ -301,10 +316,36 @@ TEST (Pipeline, ignoresWhatLiesBelowTheTableUnlessSomethingIsAskedFor)
     for (const AttentionSegment& segment : allSegments (pipeline))
       labels.insert (rendered->at (segment.attention_point.column, segment.attention_point.row).label / 10 * 10);
     return (labels);
-  };
-  EXPECT_EQ (labelsFound (true, false), (std::set<std::uint32_t>{20, 40}));
-  EXPECT_EQ (labelsFound (false, false).count (30), 1u);
-  EXPECT_EQ (labelsFound (true, true).count (30), 1u);
+  }
+};
+
+} // namespace
+
+TEST (Pipeline, ignoresWhatLiesBelowTheTableUnlessSomethingIsAskedFor)
+{
+  // In the corner of two tables, whose common outline goes round it.
+  TableScene scene (boxAt ({0.2, 0.2, 0.1}, {0.7, 0.0, -0.45}, 30));
+  scene.scene.supports.push_back (boxAt ({0.4, 0.4, 0.03}, {0.7, 0.4, -0.015}, scene_label::table));
+  EXPECT_EQ (scene.labelsFound (true), (std::set<std::uint32_t>{20, 40}));
+  EXPECT_EQ (scene.labelsFound (false).count (30), 1u);
+  EXPECT_EQ (scene.labelsFound (true, true).count (30), 1u);
+}
+
+TEST (Pipeline, ignoresWhatStandsBesideTheTableUnlessSomethingIsAskedFor)
+{
+  // On a stool as high as the table, 10 cm beside it.
+  TableScene scene (boxAt ({0.15, 0.15, 0.15}, {0.7, 0.0, 0.075}, 30));
+  scene.scene.supports.push_back (boxAt ({0.2, 0.2, 0.03}, {0.7, 0.0, -0.015}, scene_label::table));
+  EXPECT_EQ (scene.labelsFound (true), (std::set<std::uint32_t>{20, 40}));
+  EXPECT_EQ (scene.labelsFound (false).count (30), 1u);
+  EXPECT_EQ (scene.labelsFound (true, true).count (30), 1u);
+}
+
+TEST (Pipeline, ignoresNothingThatHidesWhetherTheTableGoesOn)
+{
+  // Close to the camera, in the corner of the image.
+  const TableScene scene (boxAt ({0.15, 0.15, 0.4}, {0.45, -0.45, 0.2}, 30));
+  EXPECT_EQ (scene.labelsFound (true).count (30), 1u);
 }
 
 TEST (Pipeline, comesBackToPointsOfASegmentThatIsNotGivenOut)

@@ -174,6 +174,89 @@ TEST (SupportingPlanes, LeaveOutSpecksOfThemInAHole)
   EXPECT_EQ (planes.front ().indices, expected);
 }
 
+TEST (SupportingPlanes, AFloorIsSeenBetweenTheThingsOnIt)
+{
+  // Four boxes of different heights hide all of it but strips of .012 m^2 each, less than a plane has that is seen well.
+  Step scene (0.6, middle, 0.6);
+  const shapes::Camera camera{width, height, 120.0};
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+    {
+      const bool is_between = column % 40 >= 34 && row >= 20 && row < 100;
+      const double depth = is_between ? 0.6 : 0.5 - 0.03 * (column / 40);
+      scene.frame.set (scene.frame.index (column, row), camera.ray (column, row) * depth, {0, 0, -1});
+    }
+  const std::vector<SupportingPlane> planes = scene.planes ();
+  ASSERT_FALSE (planes.empty ());
+  EXPECT_TRUE (planes.front ().supports_objects);
+  EXPECT_LT ((planes.front ().coefficients - Eigen::Vector4f (0, 0, -1, 0.6f)).norm (), 1e-3f);
+  EXPECT_EQ (planes.front ().ends, std::vector<std::uint8_t> (planes.front ().outline.size (), 0)) << "boxes hide whether it goes on";
+}
+
+TEST (SupportingPlanes, HaveTheOutlineOfTheirLargePieces)
+{
+  // A table up to column 120, and beside it a seat as high, with the floor between but for a bridge two pixels wide.
+  Step scene (1.0, middle, 0.9);
+  const shapes::Camera camera{width, height, 120.0};
+  for (int row = 0; row < height; ++row)
+    for (int column = 121; column < width; ++column)
+    {
+      const bool is_seat = column > 130 && row < 30, is_bridge = row == 10 || row == 11;
+      scene.frame.set (scene.frame.index (column, row), camera.ray (column, row) * (is_seat || is_bridge ? 1.0 : 1.6), {0, 0, -1});
+    }
+  const std::vector<SupportingPlane> planes = scene.planes ();
+  ASSERT_FALSE (planes.empty ());
+  const SupportingPlane& table = planes.front ();
+  EXPECT_TRUE (std::binary_search (table.indices.begin (), table.indices.end (), 10 * width + 140)) << "the seat is of its plane";
+  ASSERT_GE (table.outline.size (), 4u);
+  ASSERT_EQ (table.ends.size (), table.outline.size ());
+  // The middles of the image's outermost pixels, and to the right the edge but for what is nearer to it than the points looked at.
+  constexpr double left = -79.5 / 120.0, right = (120.0 - 79.5) / 120.0, top = -59.5 / 120.0, bottom = 59.5 / 120.0;
+  Eigen::Array3f lowest = table.outline.front (), highest = lowest;
+  for (std::size_t i = 0; i < table.outline.size (); ++i)
+  {
+    const Eigen::Vector3f& corner = table.outline[i];
+    lowest = lowest.min (corner.array ());
+    highest = highest.max (corner.array ());
+    const Eigen::Vector3f edge = table.outline[(i + 1) % table.outline.size ()] - corner;
+    if (edge.norm () > 0.1f)
+    {
+      EXPECT_EQ (table.ends[i], corner.x () > 0.3f && (corner + edge).x () > 0.3f) << "from " << corner.transpose ();
+    }
+  }
+  EXPECT_NEAR (lowest.x (), left, 1e-4);
+  EXPECT_LE (highest.x (), right + 1e-4);
+  EXPECT_GE (highest.x (), right - 2.0 / 120.0);
+  EXPECT_NEAR (lowest.y (), top, 1e-4);
+  EXPECT_NEAR (highest.y (), bottom, 1e-4);
+  EXPECT_NEAR (lowest.z (), 1.0, 1e-4);
+  EXPECT_NEAR (highest.z (), 1.0, 1e-4);
+}
+
+TEST (LiesBeside, IsByItsFootOnThePlane)
+{
+  // A triangle, counter-clockwise as seen from above, on a plane that leans 3 up on 4 along.
+  SupportingPlane plane;
+  plane.coefficients << 0.0f, -0.8f, -0.6f, 1.0f;
+  const Eigen::Vector3f normal = plane.coefficients.head<3> (), origin = -normal, along (0.0f, -0.6f, 0.8f), across (1.0f, 0.0f, 0.0f);
+  ASSERT_GT (normal.dot (across.cross (along)), 0.0f);
+  plane.outline = {origin, origin + across, origin + along};
+  plane.ends = {1, 1, 0};
+  const auto isBeside = [&] (float x, float y, float above, float margin) {
+    return (liesBeside (plane, origin + x * across + y * along + above * normal, margin));
+  };
+  EXPECT_FALSE (isBeside (0.3f, 0.3f, 0.0f, 0.0f));
+  EXPECT_FALSE (isBeside (0.3f, 0.3f, 2.0f, 0.0f)) << "however high";
+  EXPECT_TRUE (isBeside (0.3f, -0.1f, 2.0f, 0.0f));
+  EXPECT_TRUE (isBeside (0.3f, -0.11f, 0.1f, 0.1f));
+  EXPECT_FALSE (isBeside (0.3f, -0.09f, 0.1f, 0.1f)) << "within the margin";
+  EXPECT_TRUE (isBeside (0.55f, 0.55f, 0.0f, 0.0f)) << "beyond the slanted edge";
+  EXPECT_FALSE (isBeside (-0.5f, 0.3f, 0.0f, 0.0f)) << "the plane may go on there";
+  plane.outline.clear ();
+  plane.ends.clear ();
+  EXPECT_FALSE (isBeside (9.0f, 9.0f, 0.0f, 0.0f)) << "nothing is known of where it ends";
+}
+
 TEST (PointsOver, AreAboveThePlaneUpToHalfAMetreWithTheirFeetOnIt)
 {
   Step scene (1.0, middle, 1.0);

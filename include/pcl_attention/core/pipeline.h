@@ -21,8 +21,8 @@ namespace pcl_attention
 struct SegmentationParameters
 {
   bool prefer_supported{true};     /**< what stands on the supporting plane first, then the rest, each by saliency */
-  bool ignore_below{true};         /**< fixations below a certain supporting plane, on the floor or under the table, give no object, unless
-                                     something is asked for */
+  bool ignore_surroundings{true};  /**< fixations below a certain supporting plane, on the floor or under the table, and beside it give no
+                                     object, unless something is asked for */
   bool inhibition_of_return{true}; /**< skip attention points that lie in an earlier segment or lead to one again */
   float full_size{0.01f};          /**< smaller segments are less salient by as much, m^2 of frontal area; 0: off */
   int fixation_margin{8};          /**< a fixation nearer than this to its segment's contour moves inside, pixels; 0: off */
@@ -233,7 +233,7 @@ private:
   /** \brief Whether a point stands on the supporting plane, where that counts; coverage points do, the user's order stands. */
   bool
   isPreferred (const AttentionPoint& point) const;
-  /** \brief Whether a point lies below a certain supporting plane, where that counts. */
+  /** \brief Whether a point lies below a certain supporting plane or beside it, where that counts. */
   bool
   isIgnored (const AttentionPoint& point) const;
   /** \brief Whether a point is not to find again what was found. */

@@ -27,6 +27,10 @@ struct SupportingPlane
   float area{0.0f};             /**< m^2 */
   float confidence{0.0f};       /**< 0..1: of what lies near its outline, the share that is above it, not below; of what is below
                                   only what faces the same way counts */
+  std::vector<Eigen::Vector3f> outline; /**< of the plane that objects stand on: corners of the convex outline of its large pieces,
+                                          counter-clockwise as seen from the viewpoint, metres; empty for other planes */
+  std::vector<std::uint8_t> ends; /**< for the outline's edge after each corner 1 if the plane is seen to end there, 0 if the image
+                                    ends, or something before it hides whether it goes on */
   bool supports_objects{false}; /**< true for the plane that objects stand on; false for other planes of the background */
 };
 
@@ -46,6 +50,12 @@ findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, co
   * \return 1 for those, of the cloud's size */
 PCL_ATTENTION_EXPORTS std::vector<std::uint8_t>
 findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane, int threads = 1);
+
+/** \brief Whether a point lies beside a plane that objects stand on: from the middle of the plane to the point's foot on it one
+  * leaves the outline where the plane is seen to end.
+  * \param[in] margin that the foot may lie outside of the outline, metres */
+PCL_ATTENTION_EXPORTS bool
+liesBeside (const SupportingPlane& plane, const Eigen::Vector3f& point, float margin);
 
 /** \brief The points of the planes, of the first one where several have a point.
   * \return 0, or 1, 2, ... for the first, second, ... plane, of the cloud's size */
