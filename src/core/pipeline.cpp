@@ -218,7 +218,6 @@ AttentionPipeline::forgetPatches ()
   patch_graph_.reset ();
   supporting_planes_.reset ();
   support_patches_.clear ();
-  over_support_.clear ();
   prior_weights_ = Image<float> ();
   times_.patches = 0.0;
 }
@@ -391,20 +390,7 @@ AttentionPipeline::preparePatches ()
   const StageTimer timer (times_.patches);
   sensor_ = estimateSensor (cloud_);
   supporting_planes_ = findSupportingPlanes (cloud_, sensor_, *normals_, coarser (), parameters_.support, threads_);
-  std::exception_ptr over_error, patch_error;
-#pragma omp taskgroup
-  {
-    // Patches are grown by one thread.
-#pragma omp task shared(over_error)
-    over_error = exceptionOf ([this] {
-      if (!supporting_planes_->empty () && supporting_planes_->front ().supports_objects)
-        over_support_ = findPointsOver (cloud_, supporting_planes_->front (), threads_);
-    });
-    patch_error = exceptionOf ([this] { makePatches (); });
-  }
-  for (const std::exception_ptr& error : {over_error, patch_error})
-    if (error)
-      std::rethrow_exception (error);
+  makePatches ();
   for (SupportingPlane& plane : *supporting_planes_)
   {
     plane.coefficients = transformPlane (sensor_pose_, plane.coefficients);
@@ -564,13 +550,11 @@ AttentionPipeline::coveragePoints () const
   std::vector<AttentionPoint> points;
   for (const pcl::index_t center : centers)
   {
-    if (!over_support_.empty () && !over_support_[center])
-      continue;
     AttentionPoint point;
     point.column = center % cloud_.width;
     point.row = center / cloud_.width;
     point.kind = AttentionPointKind::coverage;
-    if (isIgnored (point))
+    if (isIgnored (point) || !isSupported (point))
       continue;
     if (!prior_weights_.data.empty ())
       point.weight = prior_weights_[center];
@@ -583,7 +567,14 @@ bool
 AttentionPipeline::isPreferred (const AttentionPoint& point) const
 {
   return (points_are_users_ || point.kind == AttentionPointKind::coverage ||
-          !parameters_.segmentation.prefer_supported || over_support_.empty () || over_support_[indexOf (point)]);
+          !parameters_.segmentation.prefer_supported || isSupported (point));
+}
+
+bool
+AttentionPipeline::isSupported (const AttentionPoint& point) const
+{
+  return (supporting_planes_->empty () || !supporting_planes_->front ().supports_objects ||
+          standsOn (supporting_planes_->front (), sensor_pose_ * pointAt (cloud_, indexOf (point))));
 }
 
 bool

@@ -419,6 +419,15 @@ describeOutline (const OrganizedCloud& cloud, const SensorModel& sensor, int spa
   }
 }
 
+/** \brief How far a point's foot lies outside of the edge after a corner of a plane's outline, metres; inside less than 0. */
+float
+beyondEdge (const SupportingPlane& plane, std::size_t corner, const Eigen::Vector3f& point)
+{
+  const Eigen::Vector3f& begin = plane.outline[corner];
+  const Eigen::Vector3f edge = plane.outline[(corner + 1) % plane.outline.size ()] - begin;
+  return (plane.coefficients.head<3> ().dot ((point - begin).cross (edge.normalized ())));
+}
+
 /** \brief A plane of the background as far as the coarse scene shows it. */
 struct CoarsePlane
 {
@@ -591,11 +600,16 @@ findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, co
   return (planes);
 }
 
-std::vector<std::uint8_t>
-findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane, int threads)
+bool
+standsOn (const SupportingPlane& plane, const Eigen::Vector3f& point)
 {
+  constexpr float margin = 0.05f, highest = 0.5f;
   const Eigen::Vector3f normal = plane.coefficients.head<3> ();
-  return (Footprint (cloud, plane.indices, normal).pointsOver (cloud, plane.coefficients, 0.05f, 0.0f, 0.5f, threads));
+  const float height = normal.dot (point) + plane.coefficients[3];
+  bool is_over = !plane.outline.empty () && height >= 0.0f && height <= highest;
+  for (std::size_t i = 0; i < plane.outline.size () && is_over; ++i)
+    is_over = beyondEdge (plane, i, point) <= margin;
+  return (is_over);
 }
 
 bool
@@ -614,8 +628,7 @@ liesBeside (const SupportingPlane& plane, const Eigen::Vector3f& point, float ma
     const Eigen::Vector3f& next = plane.outline[(i + 1) % corners];
     if (isLeft (corner) || !isLeft (next))
       continue;
-    const Eigen::Vector3f edge = next - corner;
-    return (plane.ends[i] && normal.dot (edge.cross (point - corner)) < -margin * edge.norm ());
+    return (plane.ends[i] && beyondEdge (plane, i, point) > margin);
   }
   return (false);
 }

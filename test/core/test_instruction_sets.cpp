@@ -25,7 +25,6 @@ struct Results
   SymmetryMap symmetry;
   SaliencyMaps saliency;
   std::vector<SupportingPlane> planes;
-  std::vector<std::uint8_t> over;
   std::vector<Eigen::Vector3f> corners; /**< of the hull of all points */
 };
 
@@ -40,8 +39,6 @@ resultsOf (const OrganizedCloud& cloud, const AttentionParameters& parameters, i
   results.planes = findSupportingPlanes (
     cloud, estimateSensor (cloud), results.normals, coarserLevels (cloud, results.normals, supportLevels (cloud.width), threads),
     parameters.support);
-  if (!results.planes.empty ())
-    results.over = findPointsOver (cloud, results.planes.front ());
   std::vector<Eigen::Vector3f> points;
   for (std::size_t index = 0; index < cloud.size (); ++index)
     if (cloud.valid[index])
@@ -73,8 +70,8 @@ expectSame (const Results& a, const Results& b)
   {
     EXPECT_EQ (a.planes[k].indices, b.planes[k].indices);
     EXPECT_EQ (a.planes[k].coefficients, b.planes[k].coefficients);
+    EXPECT_EQ (a.planes[k].confidence, b.planes[k].confidence);
   }
-  EXPECT_EQ (a.over, b.over);
   EXPECT_EQ (a.corners, b.corners);
 }
 

@@ -257,28 +257,24 @@ TEST (LiesBeside, IsByItsFootOnThePlane)
   EXPECT_FALSE (isBeside (9.0f, 9.0f, 0.0f, 0.0f)) << "nothing is known of where it ends";
 }
 
-TEST (PointsOver, AreAboveThePlaneUpToHalfAMetreWithTheirFeetOnIt)
+TEST (StandsOn, IsAboveThePlaneUpToHalfAMetreWithTheFootOnIt)
 {
-  Step scene (1.0, middle, 1.0);
   SupportingPlane plane;
   plane.coefficients << 0, 0, -1, 1;
-  plane.indices = scene.patches.patches[1].pixels; // 40 x 40 pixels in the middle: +-0.1625 m
-  const auto isOver = [&] (double x, double y, double z) {
-    scene.frame.set (0, {x, y, z}, {0, 0, -1});
-    return (findPointsOver (scene.frame.cloud, plane)[0] == 1);
-  };
-  EXPECT_TRUE (isOver (0, 0, 0.9));
-  EXPECT_TRUE (isOver (0, 0, 0.51));
-  EXPECT_FALSE (isOver (0, 0, 0.49)) << "higher than half a metre";
-  EXPECT_FALSE (isOver (0, 0, 1.1)) << "below";
-  EXPECT_FALSE (isOver (0, 0, 1.001)) << "just below";
+  EXPECT_FALSE (standsOn (plane, {0.0f, 0.0f, 0.9f})) << "nothing is known of where it is";
+  constexpr float side = 0.1625f;
+  plane.outline = {{-side, -side, 1.0f}, {-side, side, 1.0f}, {side, side, 1.0f}, {side, -side, 1.0f}};
+  const auto isOver = [&] (float x, float y, float z) { return (standsOn (plane, {x, y, z})); };
+  EXPECT_TRUE (isOver (0.0f, 0.0f, 0.9f));
+  EXPECT_TRUE (isOver (0.0f, 0.0f, 0.51f));
+  EXPECT_FALSE (isOver (0.0f, 0.0f, 0.49f)) << "higher than half a metre";
+  EXPECT_FALSE (isOver (0.0f, 0.0f, 1.1f)) << "below";
+  EXPECT_FALSE (isOver (0.0f, 0.0f, 1.001f)) << "just below";
   // The outline is 5 cm wider than the points.
-  EXPECT_TRUE (isOver (0.21, 0, 0.9));
-  EXPECT_FALSE (isOver (0.22, 0, 0.9));
-  EXPECT_TRUE (isOver (0, -0.21, 0.9));
-  EXPECT_FALSE (isOver (0, -0.22, 0.9));
-  scene.frame.cloud.valid[0] = 0;
-  EXPECT_EQ (findPointsOver (scene.frame.cloud, plane)[0], 0) << "not valid";
+  EXPECT_TRUE (isOver (0.21f, 0.0f, 0.9f));
+  EXPECT_FALSE (isOver (0.22f, 0.0f, 0.9f));
+  EXPECT_TRUE (isOver (0.0f, -0.21f, 0.9f));
+  EXPECT_FALSE (isOver (0.0f, -0.22f, 0.9f));
 }
 
 TEST (CutAlongPlanes, LeavesThePiecesOfEachPatch)

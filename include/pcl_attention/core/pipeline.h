@@ -233,6 +233,9 @@ private:
   /** \brief Whether a point stands on the supporting plane, where that counts; coverage points do, the user's order stands. */
   bool
   isPreferred (const AttentionPoint& point) const;
+  /** \brief Whether a point stands on the supporting plane, or there is none. */
+  bool
+  isSupported (const AttentionPoint& point) const;
   /** \brief Whether a point lies below a certain supporting plane or beside it, where that counts. */
   bool
   isIgnored (const AttentionPoint& point) const;
@@ -296,7 +299,6 @@ private:
   std::optional<PatchGraph> patch_graph_;
   std::optional<std::vector<SupportingPlane>> supporting_planes_;
   std::vector<std::uint8_t> support_patches_; /**< 1 at [label] for the patches that are background */
-  std::vector<std::uint8_t> over_support_;    /**< 1 for points that stand on the supporting plane; empty without one */
   std::unique_ptr<CompactClustering> clustering_;
   /** \brief A segment that was grown and has not been given out. */
   struct Waiting

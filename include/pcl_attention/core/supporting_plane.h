@@ -46,10 +46,10 @@ PCL_ATTENTION_EXPORTS std::vector<SupportingPlane>
 findSupportingPlanes (const OrganizedCloud& cloud, const SensorModel& sensor, const NormalImage& normals,
                       const std::vector<PyramidLevel>& coarser, const SupportParameters& parameters, int threads = 1);
 
-/** \brief Which points stand on a plane: above it, at most half a metre, and their feet within its outline.
-  * \return 1 for those, of the cloud's size */
-PCL_ATTENTION_EXPORTS std::vector<std::uint8_t>
-findPointsOver (const OrganizedCloud& cloud, const SupportingPlane& plane, int threads = 1);
+/** \brief Whether a point stands on a plane that objects stand on: above it, at most half a metre, and its foot within the plane's
+  * outline or 5 cm around it. */
+PCL_ATTENTION_EXPORTS bool
+standsOn (const SupportingPlane& plane, const Eigen::Vector3f& point);
 
 /** \brief Whether a point lies beside a plane that objects stand on: from the middle of the plane to the point's foot on it one
   * leaves the outline where the plane is seen to end.
