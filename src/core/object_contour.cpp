@@ -4,6 +4,8 @@
 #include <pcl_attention/core/object_contour.h>
 #include <pcl_attention/core/skeleton.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,30 +19,6 @@ namespace
 
 /** \brief What decides is so much wider around a point than the contour may move. */
 constexpr int reach_of_width = 4;
-
-/** \brief How alike two colours are, 0..1: a Gaussian of their distance in RGB, a table of its square. */
-class Likeness
-{
-public:
-  Likeness ()
-  {
-    constexpr double deviation = 20.0; // of 255: shading and noise of one surface
-    for (std::size_t i = 0; i < table_.size (); ++i)
-      table_[i] = static_cast<float> (std::exp (-static_cast<double> (i * cell) / (2.0 * deviation * deviation)));
-    table_.back () = 0.0f; // of all that is farther
-  }
-
-  float
-  operator() (int red, int green, int blue) const
-  {
-    const auto place = static_cast<std::size_t> (red * red + green * green + blue * blue) / cell;
-    return (table_[std::min (place, table_.size () - 1)]);
-  }
-
-private:
-  static constexpr std::size_t cell = 16;
-  std::array<float, 512> table_;
-};
 
 using Mask = Image<std::uint8_t>;
 
@@ -87,8 +65,22 @@ dilated (Mask mask, int width)
 /** \brief Colours of one side at some places of a grid, row by row. */
 struct ColorSamples
 {
-  std::vector<std::int16_t> red, green, blue;
+  std::vector<float> red, green, blue;
   std::vector<int> before; /**< how many there are before each place of the grid, which has one more at the end of each row */
+
+  /** \brief How alike a colour and some of the samples are, 0..1 each, in sum: a Gaussian of their distance in RGB, but that it ends. */
+  float
+  likenessTo (const Eigen::Array3f& color, int begin, int end) const
+  {
+    constexpr float deviation = 20.0f; // of 255: shading and noise of one surface
+    const auto squareOf = [&] (const std::vector<float>& channel, float value) {
+      return ((Eigen::Map<const Eigen::ArrayXf> (channel.data () + begin, end - begin) - value).square ());
+    };
+    const auto distance = squareOf (red, color.x ()) + squareOf (green, color.y ()) + squareOf (blue, color.z ());
+    // (1 - x / 8)^8 for exp (-x)
+    const auto root = (1.0f - distance / (16.0f * deviation * deviation)).max (0.0f);
+    return (root.square ().square ().square ().sum ());
+  }
 };
 
 /** \brief The image around an object: what is of it and what is not, and what lies clearly within either. */
@@ -256,11 +248,10 @@ private:
   float
   likenessTo (Side side, int column, int row, float most) const
   {
-    static const Likeness likeness;
     constexpr int enough = 4;
     const ColorSamples& samples = samples_[side == of_rest];
     const pcl::index_t index = indexOf (column, row);
-    const int red = cloud_.red[index], green = cloud_.green[index], blue = cloud_.blue[index];
+    const Eigen::Array3f color (cloud_.red[index], cloud_.green[index], cloud_.blue[index]);
     const int left = gridPlace (first_column_, column - reach_);
     const int right = std::min (grid_columns_, gridPlace (first_column_, column + reach_ + 1));
     const int first_row = gridPlace (first_row_, row - reach_);
@@ -275,9 +266,7 @@ private:
     float sum = 0.0f;
     for (int grid_row = first_row; grid_row < last_row; ++grid_row)
     {
-      const int end = rowAt (grid_row)[right];
-      for (int i = rowAt (grid_row)[left]; i < end; ++i)
-        sum += likeness (samples.red[i] - red, samples.green[i] - green, samples.blue[i] - blue);
+      sum += samples.likenessTo (color, rowAt (grid_row)[left], rowAt (grid_row)[right]);
       if (sum >= most_of_all)
         return (most);
     }
