@@ -307,12 +307,13 @@ rowEndsOfLargePieces (const OrganizedCloud& cloud, const pcl::Indices& indices, 
     ++sizes[piece];
   sizes[0] = 0;
   const float smallest = smallest_share * static_cast<float> (*std::max_element (sizes.begin (), sizes.end ()));
+  const bool is_all_bridges = smallest == 0.0f; // full of holes
   pcl::Indices ends;
   for (int row = 0; row < cloud.height; ++row)
   {
     const auto isLarge = [&] (pcl::index_t index) {
       const int piece = pieces ((index - row * cloud.width) / spacing, row / spacing);
-      return (piece > 0 && static_cast<float> (sizes[piece]) >= smallest);
+      return (is_all_bridges || (piece > 0 && static_cast<float> (sizes[piece]) >= smallest));
     };
     const auto begin = beginOf (row), end = beginOf (row + 1);
     const auto first = std::find_if (begin, end, isLarge);
@@ -391,18 +392,19 @@ coarsePatches (const OrganizedCloud& cloud, int scale, float noise, NormalImage&
 void
 describeOutline (const OrganizedCloud& cloud, const SensorModel& sensor, int spacing, SupportingPlane& plane)
 {
-  constexpr float beyond = 0.03f, step = 0.01f, clearance = 0.02f;
+  constexpr float beyond = 0.03f, step = 0.01f, clearance = 0.02f, most_samples = 100.0f;
   const Eigen::Vector3f normal = plane.coefficients.head<3> (), known = pointAt (cloud, plane.indices.front ());
   plane.outline = Footprint (cloud, rowEndsOfLargePieces (cloud, plane.indices, spacing), normal).corners (plane.coefficients);
   const auto isHidden = [&] (const Eigen::Vector3f& place) {
     if (place.z () <= 0.0f)
       return (true);
-    const Eigen::Vector2f shift = sensor.focal_length * (place.head<2> () / place.z () - known.head<2> () / known.z ());
-    const int column = plane.indices.front () % cloud.width + static_cast<int> (std::lround (shift.x ()));
-    const int row = plane.indices.front () / cloud.width + static_cast<int> (std::lround (shift.y ()));
-    if (column < 0 || row < 0 || column >= cloud.width || row >= cloud.height)
+    const Eigen::Array2f pixel =
+      Eigen::Array2f (plane.indices.front () % cloud.width, plane.indices.front () / cloud.width) +
+      sensor.focal_length * (place.head<2> () / place.z () - known.head<2> () / known.z ()).array () + 0.5f;
+    // Written so that what is no number is outside too.
+    if (!(pixel.x () >= 0.0f && pixel.y () >= 0.0f && pixel.x () < cloud.width && pixel.y () < cloud.height))
       return (true);
-    const int index = row * cloud.width + column;
+    const int index = static_cast<int> (pixel.y ()) * cloud.width + static_cast<int> (pixel.x ());
     return (cloud.valid[index] && normal.dot (pointAt (cloud, index)) + plane.coefficients[3] > clearance);
   };
   for (std::size_t i = 0; i < plane.outline.size (); ++i)
@@ -410,7 +412,7 @@ describeOutline (const OrganizedCloud& cloud, const SensorModel& sensor, int spa
     const Eigen::Vector3f& corner = plane.outline[i];
     const Eigen::Vector3f edge = plane.outline[(i + 1) % plane.outline.size ()] - corner;
     const Eigen::Vector3f outwards = edge.cross (normal).normalized ();
-    const int samples = 1 + static_cast<int> (edge.norm () / step);
+    const int samples = 1 + static_cast<int> (std::min (most_samples, edge.norm () / step));
     int hidden = 0;
     for (int k = 0; k < samples; ++k)
       hidden += isHidden (corner + (static_cast<float> (k) + 0.5f) / static_cast<float> (samples) * edge + beyond * outwards);

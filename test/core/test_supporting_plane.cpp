@@ -233,6 +233,23 @@ TEST (SupportingPlanes, HaveTheOutlineOfTheirLargePieces)
   EXPECT_NEAR (highest.z (), 1.0, 1e-4);
 }
 
+TEST (SupportingPlanes, HaveAnOutlineAlsoWhereTheyAreFullOfHoles)
+{
+  // Every pixel is a hole or next to one.
+  Step scene (1.0, middle, 0.9);
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column)
+      if ((column + 2 * row) % 5 == 0)
+      {
+        const std::size_t index = scene.frame.index (column, row);
+        scene.frame.cloud.valid[index] = scene.frame.normals.valid[index] = 0;
+      }
+  const std::vector<SupportingPlane> planes = scene.planes ();
+  ASSERT_FALSE (planes.empty ());
+  EXPECT_TRUE (planes.front ().supports_objects);
+  EXPECT_TRUE (standsOn (planes.front (), {0.0f, 0.0f, 0.9f}));
+}
+
 TEST (LiesBeside, IsByItsFootOnThePlane)
 {
   // A triangle, counter-clockwise as seen from above, on a plane that leans 3 up on 4 along.
