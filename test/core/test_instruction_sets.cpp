@@ -71,6 +71,8 @@ expectSame (const Results& a, const Results& b)
     EXPECT_EQ (a.planes[k].indices, b.planes[k].indices);
     EXPECT_EQ (a.planes[k].coefficients, b.planes[k].coefficients);
     EXPECT_EQ (a.planes[k].confidence, b.planes[k].confidence);
+    EXPECT_EQ (a.planes[k].outline, b.planes[k].outline);
+    EXPECT_EQ (a.planes[k].ends, b.planes[k].ends);
   }
   EXPECT_EQ (a.corners, b.corners);
 }
